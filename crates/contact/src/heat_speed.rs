@@ -131,7 +131,7 @@ struct Solved {
 fn factors(undone: &Mat<f64>) -> Result<SpeedFactors, Error> {
     let eigenvalues = eigenvalues(undone)?;
     let radius = eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
-    if !(radius > 0.0 && radius.is_finite()) {
+    if !(radius > 0.0 && radius.is_finite() && (RANGE[1] / radius).is_finite()) {
         return Ok(SpeedFactors::default());
     }
     let real = eigenvalues.iter().filter(|[re, im]| *re > 0.0 && im.abs() <= REAL * radius);
@@ -164,6 +164,10 @@ impl Solved {
         let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
         if !self.told.iter().all(|i| self.pressures[(*i, 0)] > 0.0) {
             return Some(0.0);
+        }
+        // With hardly any heat no factor that is a number is large enough.
+        if !(RANGE[1] * unit).is_finite() {
+            return None;
         }
         let mut below = self.before(unit).and_then(pressed).unwrap_or([0.0; 2]);
         let mut factor = if below[0] > 0.0 { STEP * below[0] } else { RANGE[0] * unit };

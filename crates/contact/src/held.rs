@@ -35,7 +35,7 @@ impl<'a> ContactOperator<'a> {
         if closed.len() != self.unit.points.len() {
             return Err(Error::Gap { given: closed.len(), points: self.unit.points.len() });
         }
-        self.held_on(closed, matches!(load.friction, Friction::Coulomb { .. })).solve(gap, load)
+        self.held_on(closed).solve(gap, load)
     }
 
     /// Solves a step of Coulomb friction with given states of the points and no conditions on signs or friction limits; `None` if that is singular.
@@ -49,29 +49,29 @@ impl<'a> ContactOperator<'a> {
         states: &[ContactState],
     ) -> Result<Option<ContactSolution>, Error> {
         let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
-        self.held_on(&closed, true).solve_states(gap, load, states)
+        self.held_on(&closed).solve_states(gap, load, states)
     }
 
-    /// Points held in contact, those `closed` (one a point, open where it says nothing), for [`HeldContact::solve`], and with the slip by shear (`stick`)
-    /// for [`HeldContact::solve_states`] too. Makes the compliance at them, `points held x points held`, mm/N; that of the points held last is kept.
-    pub fn held_on<'o>(&'o self, closed: &[bool], stick: bool) -> HeldContact<'o, 'a> {
-        HeldContact { operator: self, points: self.held_points(closed, stick) }
+    /// Points held in contact, those `closed` (one a point, open where it says nothing). Makes the compliance at them, `points held x points held`, mm/N;
+    /// that of the points held last is kept.
+    pub fn held_on<'o>(&'o self, closed: &[bool]) -> HeldContact<'o, 'a> {
+        HeldContact { operator: self, points: self.held_points(closed) }
     }
 }
 
 impl ContactOperator<'_> {
     /// The points that are closed, from those held last where these are the same.
-    fn held_points(&self, closed: &[bool], stick: bool) -> Arc<HeldPoints> {
+    fn held_points(&self, closed: &[bool]) -> Arc<HeldPoints> {
         let n = self.unit.points.len();
         let at: Vec<usize> = (0..n).filter(|i| closed.get(*i) == Some(&true)).collect();
         let mut kept = self.unit.held.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = kept.iter().find(|known| known.at == at && (known.stick || !stick)).map(Arc::clone);
+        let known = kept.iter().find(|known| known.at == at).map(Arc::clone);
         let points = known.unwrap_or_else(|| {
             let matrices = match at.len() {
-                all if all == n => Arc::clone(self.unit.matrices(stick)),
-                _ => Arc::new(self.unit.matrices_at(&at, stick)),
+                all if all == n => Arc::clone(self.unit.matrices()),
+                _ => Arc::new(self.unit.matrices_at(&at)),
             };
-            Arc::new(HeldPoints { at, stick, matrices })
+            Arc::new(HeldPoints { at, matrices })
         });
         *kept = Some(Arc::clone(&points));
         points
@@ -140,7 +140,7 @@ impl HeldContact<'_, '_> {
             let influence = (&unit.influence, unit.shear_influence.as_ref());
             self.points = Arc::new(self.points.and(&more, &unit.responses, influence));
         }
-        self.points = self.operator.held_points(&vec![true; gap.len()], matches!(load.friction, Friction::Coulomb { .. }));
+        self.points = self.operator.held_points(&vec![true; gap.len()]);
         self.operator.solve(gap, load, Some(start))
     }
 

@@ -10,8 +10,6 @@ use std::sync::Arc;
 /// Points, and the compliance at these alone.
 pub(crate) struct HeldPoints {
     pub(crate) at: Vec<usize>,
-    /// Whether slip by shear is among it.
-    pub(crate) stick: bool,
     pub(crate) matrices: Arc<Matrices>,
 }
 
@@ -42,7 +40,7 @@ impl HeldPoints {
         let shear_influence = influence.1.map(|all| rows_of(all, &at));
         let influence = rows_of(influence.0, &at);
         let matrices = Matrices { normal, normal_by_shear, tangential, influence, shear_influence };
-        HeldPoints { at, stick: self.stick, matrices: Arc::new(matrices) }
+        HeldPoints { at, matrices: Arc::new(matrices) }
     }
 }
 

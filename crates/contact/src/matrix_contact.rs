@@ -245,7 +245,7 @@ impl ContactOperator<'_> {
         let acting = self.acting(&vec![0.0; n], load)?;
         let (held, mut unloaded) = (acting.held, acting.unloaded);
         let pick = |m: &Mat<f64>| Mat::from_fn(n, held.free.len(), |i, j| m[(i, held.free[j])]);
-        let all = self.unit.matrices(true);
+        let all = self.unit.matrices();
         let matrices = Matrices {
             influence: pick(&all.influence),
             shear_influence: all.shear_influence.as_ref().map(pick),

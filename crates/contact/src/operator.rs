@@ -34,8 +34,8 @@ pub struct UnitResponses {
     /// Opening and slip by the coordinates of both bodies side by side, `points x coordinates`; no slip if shear was not asked for.
     pub(crate) influence: Mat<f64>,
     pub(crate) shear_influence: Option<Mat<f64>>,
-    /// Those of all points, without and with the slip by shear that stick takes.
-    whole: [OnceLock<Arc<Matrices>>; 2],
+    /// Those of all points.
+    whole: OnceLock<Arc<Matrices>>,
     /// The points held last, with their matrices.
     pub(crate) held: Mutex<Option<Arc<HeldPoints>>>,
 }
@@ -113,7 +113,7 @@ impl<'a> ContactOperator<'a> {
 
     /// Normal compliance `C` at the points, `points x points`: opening by nodal normal forces with the rigid coordinates at zero.
     pub fn compliance(&self) -> &Mat<f64> {
-        &self.unit.matrices(false).normal
+        &self.unit.matrices().normal
     }
 
     /// Solves for a gap (one value a point, positive open) under a load, from an earlier solution if there is one.
@@ -170,49 +170,27 @@ impl<'a> ContactOperator<'a> {
 }
 
 impl UnitResponses {
-    /// The matrices of all points; with the slip by shear (`C_tt`), which stick alone needs, or without.
-    pub(crate) fn matrices(&self, stick: bool) -> &Arc<Matrices> {
-        self.whole[usize::from(stick)].get_or_init(|| {
-            let all: Vec<usize> = (0..self.points.len()).collect();
-            Arc::new(match stick {
-                true => Matrices { tangential: self.tangential(&all), ..(**self.matrices(false)).clone() },
-                false => self.matrices_at(&all, false),
-            })
-        })
+    /// The matrices of all points.
+    pub(crate) fn matrices(&self) -> &Arc<Matrices> {
+        self.whole.get_or_init(|| Arc::new(self.matrices_at(&(0..self.points.len()).collect::<Vec<usize>>())))
     }
 
-    /// The matrices of some of the points; with the slip by shear, or without.
-    pub(crate) fn matrices_at(&self, at: &[usize], stick: bool) -> Matrices {
-        let n = at.len();
-        let mut normal = Mat::zeros(n, n);
-        let mut normal_by_shear = self.shear_influence.as_ref().map(|_| Mat::zeros(n, n));
-        for r in &self.responses {
-            let rows = r.normal.at(at);
-            let under = r.under(&rows, at);
-            normal += rows.product(&under);
-            // What shear opens is what normal forces slide: work is reciprocal (Betti).
-            if let (Some(sum), Some(tangential)) = (&mut normal_by_shear, &r.tangential) {
-                *sum += tangential.at(at).product(&under).transpose();
+    /// The matrices of some of the points.
+    pub(crate) fn matrices_at(&self, at: &[usize]) -> Matrices {
+        let square = || Mat::zeros(at.len(), at.len());
+        let mut normal = square();
+        let mut sheared = self.shear_influence.as_ref().map(|_| [square(), square()]);
+        for response in &self.responses {
+            let (pressed, slid) = response.half_solved(at);
+            pressed.add(&mut normal);
+            if let (Some([by_shear, tangential]), Some(slid)) = (&mut sheared, slid) {
+                pressed.add_by(&slid, by_shear);
+                slid.add(tangential);
             }
         }
+        let (normal_by_shear, tangential) = sheared.map(|[by_shear, tangential]| (by_shear, tangential)).unzip();
         let influence = rows_of(&self.influence, at);
         let shear_influence = self.shear_influence.as_ref().map(|all| rows_of(all, at));
-        let tangential = if stick { self.tangential(at) } else { None };
-        Matrices { normal: symmetric(&normal), normal_by_shear, tangential, influence, shear_influence }
+        Matrices { normal, normal_by_shear, tangential, influence, shear_influence }
     }
-
-    /// Slip by shear forces at some of the points; none if shear was not asked for.
-    fn tangential(&self, at: &[usize]) -> Option<Mat<f64>> {
-        let mut sum = Mat::zeros(at.len(), at.len());
-        for r in &self.responses {
-            let rows = r.tangential.as_ref()?.at(at);
-            sum += rows.product(&r.under(&rows, at));
-        }
-        Some(symmetric(&sum))
-    }
-}
-
-/// Exactly symmetric, so that the answer does not depend on which half is read.
-fn symmetric(m: &Mat<f64>) -> Mat<f64> {
-    Mat::from_fn(m.nrows(), m.ncols(), |i, j| 0.5 * (m[(i, j)] + m[(j, i)]))
 }

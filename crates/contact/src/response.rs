@@ -8,7 +8,7 @@ use crate::segment::Station;
 use crate::side::Side;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
-use hpfem::{InterfaceFactor, InterfaceOperator};
+use hpfem::{HalfSolved, InterfaceFactor, InterfaceOperator};
 use std::collections::BTreeMap;
 
 /// Kept displacements of one body as a linear function of nodal contact forces, load factors and rigid coordinates:
@@ -58,11 +58,15 @@ impl Response {
         let (tangential, tangential_constant) = rows(true);
         let unknowns = body.stiffness.nrows();
         let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
-        let mut moves = normal.reach(near);
+        // The unknown that moves the first of the points stands first: unit forces at later ones then begin later.
+        let mut moved = normal.reach(near);
         if shear {
-            moves.iter_mut().zip(tangential.reach(near)).for_each(|(all, more)| *all |= more);
+            let first = |(a, b): (&mut Option<usize>, Option<usize>)| *a = [*a, b].into_iter().flatten().min();
+            moved.iter_mut().zip(tangential.reach(near)).for_each(first);
         }
-        let (last, mut order): (Vec<usize>, Vec<usize>) = (0..unknowns).filter(|k| !frame.contains(k)).partition(|k| moves[*k]);
+        let (mut last, mut order): (Vec<usize>, Vec<usize>) =
+            (0..unknowns).filter(|k| !frame.contains(k)).partition(|k| moved[*k].is_some());
+        last.sort_by_key(|k| moved[*k]);
         let first = order.len();
         order.extend(last);
         let columns = body.columns.submatrix(0, 0, unknowns, body.load_cases.len() + 1).to_owned();
@@ -99,6 +103,12 @@ impl Response {
             motion_columns,
             edge_motion,
         })
+    }
+
+    /// Unit forces at some of the points, half solved: normal ones, and tangential ones if these were asked for.
+    pub(crate) fn half_solved(&self, at: &[usize]) -> (HalfSolved, Option<HalfSolved>) {
+        let half = |rows: &Rows| self.factor.half_solved(&rows.entries(at));
+        (half(&self.normal), self.tangential.as_ref().map(half))
     }
 
     /// Columns of `X_n` (or `X_t`) by rows of the normal (or tangential) displacement of some points, `unknowns x rows`, as far as they move these points.

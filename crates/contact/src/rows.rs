@@ -20,16 +20,22 @@ impl Rows {
         Rows { entries, columns }
     }
 
+    /// Column and value of the entries of some of the rows.
+    pub(crate) fn entries(&self, at: &[usize]) -> Vec<&[(usize, f64)]> {
+        at.iter().map(|i| &self.entries[*i][..]).collect()
+    }
+
     /// Some of the rows.
     pub(crate) fn at(&self, at: &[usize]) -> Rows {
         Rows { entries: at.iter().map(|i| self.entries[*i].clone()).collect(), columns: self.columns }
     }
 
-    /// Whether some of the rows have an entry in each column.
-    pub(crate) fn reach(&self, some: &[bool]) -> Vec<bool> {
-        let mut reached = vec![false; self.columns];
-        let rows = self.entries.iter().zip(some).filter(|(_, some)| **some);
-        rows.flat_map(|(row, _)| row).for_each(|(k, _)| reached[*k] = true);
+    /// The first of some of the rows that has an entry in each column, if any has.
+    pub(crate) fn reach(&self, some: &[bool]) -> Vec<Option<usize>> {
+        let mut reached = vec![None; self.columns];
+        for (i, row) in self.entries.iter().enumerate().filter(|(i, _)| some[*i]) {
+            row.iter().for_each(|(k, _)| reached[*k] = reached[*k].or(Some(i)));
+        }
         reached
     }
 
@@ -100,6 +106,7 @@ mod tests {
         assert!(off(rows.transposed_times(&x[..37]), a.transpose() * b.submatrix(0, 0, 37, 1)) < 1e-15 * size);
         assert_eq!(rows.at(&[3, 5]).times(&x), [rows.times(&x)[3], rows.times(&x)[5]]);
         let reached = rows.reach(&(0..37).map(|i| i < 2).collect::<Vec<bool>>());
-        assert_eq!(reached.iter().filter(|r| **r).count(), 7);
+        assert_eq!(reached.iter().flatten().filter(|first| **first == 0).count(), 5);
+        assert_eq!(reached.iter().flatten().filter(|first| **first == 1).count(), 2);
     }
 }

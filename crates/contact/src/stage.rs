@@ -3,7 +3,7 @@
 use crate::ending::Warm;
 use crate::error::Error;
 use crate::lcp::Point;
-use crate::load::{ContactLoad, Friction, MomentBalance, Motion};
+use crate::load::{ContactLoad, MomentBalance, Motion};
 use crate::operator::{ContactOperator, SIGNS};
 use crate::plain::{Held, Plain, Unloaded};
 use crate::products::times;
@@ -60,8 +60,7 @@ impl ContactOperator<'_> {
     /// The plain problem of a gap and a load.
     pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage<'_>, Error> {
         let Acting { unloaded, held, factors, prescribed } = self.acting(gap, load)?;
-        let stick = matches!(load.friction, Friction::Coulomb { .. });
-        let mut plain = Plain::new(self.unit.matrices(stick), &load.friction, unloaded, &held)?;
+        let mut plain = Plain::new(self.unit.matrices(), &load.friction, unloaded, &held)?;
         if let Some(followed) = self.followed(load)? {
             plain.follow(&followed, &held.free);
         }

@@ -57,7 +57,7 @@ impl ContactOperator<'_> {
         load: &ContactLoad,
         solution: &ContactSolution,
     ) -> Result<Option<[f64; 2]>, Error> {
-        self.held_on(&solution.closed, matches!(load.friction, Friction::Coulomb { .. })).singular_values(gap, load, solution)
+        self.held_on(&solution.closed).singular_values(gap, load, solution)
     }
 
     /// Looks for other solutions of a load with steady sliding; `None` without it.

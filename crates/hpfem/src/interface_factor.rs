@@ -15,13 +15,13 @@ pub struct InterfaceFactor {
     /// Number of kept unknowns.
     unknowns: usize,
     /// The unknowns that are solved for, in the order of the matrix.
-    order: Vec<usize>,
-    form: Form,
+    pub(crate) order: Vec<usize>,
+    pub(crate) form: Form,
 }
 
 /// What is factorised, its unknowns in order.
 #[derive(Clone, Debug)]
-enum Form {
+pub(crate) enum Form {
     /// The factor of `unit (S + a G G^T)` on and below the diagonal, and the border.
     Definite { factor: Mat<f64>, unit: f64, border: Option<Border> },
     /// `S` bordered by so many modes, where round-off has left `S` indefinite.
@@ -30,11 +30,11 @@ enum Form {
 
 /// What the border `G` adds to a solution `x`: `-K (G^T K)^-1 G^T x` with `(S + a G G^T) K = G`.
 #[derive(Clone, Debug)]
-struct Border {
+pub(crate) struct Border {
     /// `K`, unknowns by modes.
-    solved: Mat<f64>,
+    pub(crate) solved: Mat<f64>,
     /// `K (G^T K)^-1`.
-    moved: Mat<f64>,
+    pub(crate) moved: Mat<f64>,
 }
 
 impl InterfaceOperator {
@@ -93,6 +93,11 @@ impl InterfaceOperator {
 }
 
 impl InterfaceFactor {
+    /// Number of kept unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+
     /// Whether the stiffness is positive definite on the unknowns that are solved for, apart from the gauge.
     pub fn is_definite(&self) -> bool {
         matches!(self.form, Form::Definite { .. })

@@ -81,7 +81,7 @@ fn loads_and_starts_that_do_not_fit_are_refused_by_name() {
     let start = other.solve(&vec![0.0; few], &load, None).unwrap();
     let earlier = Error::Shape { name: "earlier solution", wanted: [n, 1], given: [few, 1] };
     assert_eq!(operator.solve(&vec![0.0; n], &load, Some(&start)).unwrap_err(), earlier);
-    let mut held = operator.held_on(&vec![true; n], false);
+    let mut held = operator.held_on(&vec![true; n]);
     assert_eq!(held.released(&vec![0.0; n], &load, &start).unwrap_err(), earlier);
     let mut own = operator.solve(&vec![0.0; n], &load, None).unwrap();
     own.states.clear();

@@ -31,7 +31,7 @@ fn points_held_by_mistake_open_and_points_left_out_come_into_contact() {
             let beside = near(0.9 * hertz(NORMAL).0).into_iter().map(|held| !held).collect::<Vec<bool>>();
             let operator = ContactOperator::near(&pair, true, &beside).unwrap();
             let exact = ContactOperator::new(&pair, true).unwrap().solve(&gap, &load, None).unwrap();
-            let mut held = operator.held_on(&near(reach * hertz(NORMAL).0), false);
+            let mut held = operator.held_on(&near(reach * hertz(NORMAL).0));
             let start = held.solve(&gap, &load).unwrap().unwrap();
             let found = held.released(&gap, &load, &start).unwrap();
             println!(
@@ -63,7 +63,7 @@ fn stick_turns_to_slip_and_the_end_that_shear_shifts_takes_points_in() {
     let exact = operator.solve(&gap, &load, Some(&pressed)).unwrap();
     let stick = |states: &[ContactState]| states.iter().filter(|s| **s == ContactState::Stick).count();
     // All points in contact stick at first.
-    let mut held = operator.held_on(&pressed.closed, true);
+    let mut held = operator.held_on(&pressed.closed);
     let start = held.solve_states(&gap, &load, &pressed.states).unwrap().unwrap();
     let found = held.released(&gap, &load, &start).unwrap();
     println!("{} points stick of {}, apart {:.1e}", stick(&found.states), stick(&start.states), apart(&found, &exact));
@@ -79,7 +79,7 @@ fn a_surface_that_closes_all_over_is_found_from_a_part_of_it() {
     let operator = ContactOperator::new(&pair, false).unwrap();
     let n = operator.points().len();
     let load = ContactLoad { friction: Friction::None, ..push(NORMAL, 0.0, &[]) };
-    let mut held = operator.held_on(&(0..n).map(|i| i > 2 && i < n - 3).collect::<Vec<bool>>(), false);
+    let mut held = operator.held_on(&(0..n).map(|i| i > 2 && i < n - 3).collect::<Vec<bool>>());
     let gap = vec![0.0; n];
     let start = held.solve(&gap, &load).unwrap().unwrap();
     let found = held.released(&gap, &load, &start).unwrap();

@@ -15,6 +15,7 @@ mod exact;
 mod examples;
 mod extremes;
 mod gmsh;
+mod half_solved;
 mod heat;
 mod heat_flow;
 mod heated;

@@ -264,7 +264,7 @@ fn signed(
         effort.counters.contact_solves += 1;
         let (gap, load) = (start_gaps(stage, &operator), stage.contact_load(operator.points()));
         let found = match &near {
-            Some(near) => operator.held_on(&near.closed, false).released(&gap, &load, near),
+            Some(near) => operator.held_on(&near.closed).released(&gap, &load, near),
             None => operator.solve(&gap, &load, None),
         };
         found.map_err(unsolved)

@@ -221,7 +221,7 @@ impl Setting<'_> {
         let operator = work.timed(Step::Interface, clock, |_| self.operator(&pair, &closed))?;
         let start = clock();
         let gap: Vec<f64> = points.iter().map(|p| self.disc.gap(p.position[0])).collect();
-        let held = operator.held_on(&closed, both);
+        let held = operator.held_on(&closed);
         let pressed = held.solve(&gap, &self.press()).and_then(solvable).map_err(unsolved)?;
         let sheared = if !both {
             None
@@ -247,7 +247,7 @@ impl Setting<'_> {
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
         (self.options.begun)(Step::Contact);
         let start = (self.options.clock)();
-        let mut on = operator.held_on(&held.pressed.closed, self.shear != 0.0);
+        let mut on = operator.held_on(&held.pressed.closed);
         let (found, load) = self.solved(&mut on, &gap, &held)?;
         let embedded = self.embedded(&operator, &gap, &load, &found)?;
         let interface = diagnosis::condition(on.singular_values(&gap, &load, &found).map_err(unsolved)?);

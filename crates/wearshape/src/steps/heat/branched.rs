@@ -24,6 +24,7 @@ pub(crate) fn refuse(
     outcome.contact.iter_mut().for_each(|contact| contact.status = ContactStatus::NotUnique);
     let reason =
         "contacts with this frictional heat branch below this sliding speed: pressure and temperature are no longer unique";
-    outcome.ended.get_or_insert((Status::Refused, reason.into()));
+    // Whatever its accuracy is.
+    outcome.ended = Some((Status::Refused, reason.into()));
     Ok(())
 }
