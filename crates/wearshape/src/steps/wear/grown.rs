@@ -6,7 +6,7 @@ use crate::stage::Stage;
 use crate::steps::hertz_trial::short_contact;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::rough::{self, FOUND, Rough, TRIALS};
-use crate::steps::wear::round_mesh::breaks;
+use crate::steps::wear::round_mesh::{breaks, left};
 
 /// Part of the way from the touch to the end of the surface beyond which the contact has come to it.
 const FULL: f64 = 0.98;
@@ -46,7 +46,8 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
 
 /// Where the ends of contact may move that begins as short as Hertz has it, too short for a mesh that knows nothing of it.
 fn guess(hertz: f64) -> Rough {
-    Rough { start: [-hertz, hertz], end: [-hertz / SHORTEST, hertz / SHORTEST] }
+    let end = [-hertz / SHORTEST, hertz / SHORTEST];
+    Rough { start: [-hertz, hertz], end, widest: end }
 }
 
 /// What a rough run found, with the first contact of Hertz where its cells were too long for that.
@@ -63,11 +64,12 @@ fn cut(stage: Stage<'_>, found: &Rough) -> Vec<f64> {
     let wear = &stage.problem.wear;
     let linear = wear.exponents == [1.0] && !wear.own_rule;
     let mut places = Vec::new();
-    for (sense, start, end, longest) in
-        [(-1.0, -found.start[0], -found.end[0], touch - from), (1.0, found.start[1], found.end[1], to - touch)]
-    {
+    for (side, sense, longest) in [(0, -1.0, touch - from), (1, 1.0, to - touch)] {
+        let [start, end, widest] = [found.start, found.end, found.widest].map(|ends| sense * ends[side]);
         if end > 0.0 && longest > 0.0 {
-            let within = breaks(start.max(SHORTEST * end), end.min(longest), linear).into_iter().filter(|x| *x < FULL * longest);
+            let end = end.min(longest);
+            let passed = breaks(start.max(SHORTEST * end), end, linear);
+            let within = passed.into_iter().chain(left(end, widest, linear)).filter(|x| *x < FULL * longest);
             places.extend(within.map(|x| touch + sense * x));
         }
     }

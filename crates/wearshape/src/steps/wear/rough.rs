@@ -2,7 +2,7 @@
 
 use contact::ContactLoad;
 use scene::Fault;
-use shapeopt::{Evolution, EvolutionStatus};
+use shapeopt::{Evolution, EvolutionStatus, WearState};
 
 use crate::effort::Effort;
 use crate::ladder::Refusal;
@@ -25,6 +25,8 @@ pub(super) const TRIALS: usize = 8;
 pub(super) struct Rough {
     pub start: [f64; 2],
     pub end: [f64; 2],
+    /// The outermost places that they came to on the way.
+    pub widest: [f64; 2],
 }
 
 /// Runs the wear roughly on meshes cut at the given nodes.
@@ -39,7 +41,14 @@ pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut
     let problem = wear_problem(Loads { stages: &stages, loads: &loads, begun: None }, pieces, &operator, 0.0)?;
     let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
     let first = evolution.state().clone();
-    evolution.by_ref().take(MOST_STEPS).for_each(drop);
+    let places = from_touch(stage, &pair, &operator);
+    let ends = |state: &WearState| scar::ends(&places, &problem.mean_pressure(&state.pressure), &problem.worn_gap(state));
+    let none = || Refusal::Reason("no point presses at the end of the run".into());
+    let start = ends(&first).ok_or_else(none)?;
+    let mut widest = start;
+    for [from, to] in evolution.by_ref().take(MOST_STEPS).filter_map(|state| ends(&state)) {
+        widest = [widest[0].min(from), widest[1].max(to)];
+    }
     if !matches!(evolution.status(), EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
         return Err(Refusal::Reason(evolution.status().to_string()));
     }
@@ -47,9 +56,5 @@ pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut
     effort.counters.contact_solves += 1;
     effort.counters.wear_steps += state.step;
     effort.add_seconds(Step::Evolution, stage.clock()() - began);
-    let places = from_touch(stage, &pair, &operator);
-    let [start, end] =
-        [&first, state].map(|state| scar::ends(&places, &problem.mean_pressure(&state.pressure), &problem.worn_gap(state)));
-    let none = || Refusal::Reason("no point presses at the end of the run".into());
-    Ok(Rough { start: start.ok_or_else(none)?, end: end.ok_or_else(none)? })
+    Ok(Rough { start, end: ends(state).ok_or_else(none)?, widest })
 }

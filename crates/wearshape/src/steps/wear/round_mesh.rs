@@ -24,6 +24,16 @@ pub(super) fn breaks(start: f64, end: f64, linear: bool) -> Vec<f64> {
     breaks
 }
 
+/// Break points beyond the end of contact after a run on whose way it was wider: what was worn there stays, with a kink where the contact turned back.
+pub(super) fn left(end: f64, widest: f64, linear: bool) -> Vec<f64> {
+    if widest < APART * end {
+        return Vec::new();
+    }
+    let growth = if linear { GROWTH } else { FINER };
+    let count = ((widest / end).ln() / growth.ln()).ceil();
+    (1..=count as usize).map(|i| end * (widest / end).powf(i as f64 / count)).collect()
+}
+
 /// The same places from -1 to 1 along a surface that reaches as far as `reach` from the middle.
 pub(super) fn along(stage: Stage<'_>, breaks: &[f64], reach: f64) -> Vec<f64> {
     let part = breaks.iter().map(|x| x / reach);
