@@ -63,6 +63,7 @@ impl From<FunctionLaw> for OwnRule {
         let numbers = law.numbers().into_iter().map(|(_, value)| value).collect();
         let rate = move |pressure, sliding_speed| law.at(pressure).map(|value| value * sliding_speed);
         let mut rule = OwnRule::named(law.word(), numbers, rate);
+        rule.bends = matches!(law, FunctionLaw::Severe { .. });
         rule.wrong = law.wrong();
         rule
     }

@@ -50,6 +50,15 @@ impl Rule {
         }
     }
 
+    /// Whether the slope is known to bend or jump at some pressures beyond which the body wears, as at the rows of a table: along a surface the
+    /// pressure is not smooth there.
+    pub fn bends(&self) -> bool {
+        match self {
+            Rule::Power(_) | Rule::Threshold(_) => false,
+            Rule::Own(rule) => rule.bends,
+        }
+    }
+
     /// Slope dw'/dp in mm/(s MPa); at p = 0 from above.
     pub fn slope(&self, pressure: f64, sliding_speed: f64) -> f64 {
         self.at(sliding_speed).slope(pressure)

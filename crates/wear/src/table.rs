@@ -82,9 +82,10 @@ impl TableLaw {
 impl From<TableLaw> for OwnRule {
     fn from(table: TableLaw) -> OwnRule {
         let numbers = [table.pressure.as_slice(), &table.wear].concat();
-        OwnRule::named("from a table", numbers, move |pressure, sliding_speed| {
-            table.at(pressure).map(|value| value * sliding_speed)
-        })
+        let rate = move |pressure, sliding_speed| table.at(pressure).map(|value| value * sliding_speed);
+        let mut rule = OwnRule::named("from a table", numbers, rate);
+        rule.bends = true;
+        rule
     }
 }
 

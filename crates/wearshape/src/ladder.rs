@@ -223,10 +223,11 @@ impl Ladder {
     /// Estimated error of the gap of the last of three levels of a run in time on a fixed discretisation.
     pub(crate) fn error_in_time<T>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> f64) -> Option<f64> {
         let (fixed, [a, b, c]) = (self.levels.last()?, solved) else { return None };
-        if self.unordered.get().is_some() {
-            return Some(distance(a, b).max(distance(b, c)));
-        }
-        Some(fixed::error_in_time(*fixed, distance(a, b), distance(b, c)))
+        Some(match self.unordered.get() {
+            Some(1) => distance(b, c),
+            Some(_) => distance(a, b).max(distance(b, c)),
+            None => fixed::error_in_time(*fixed, distance(a, b), distance(b, c)),
+        })
     }
 }
 

@@ -37,6 +37,7 @@ use pieces::Pieces;
 use problem::STEPS;
 use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
+use wear::Rule;
 
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, best, climb, errors, missed};
@@ -65,8 +66,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let (ends, search) = if stage.grows() { grown::nodes(stage, &pieces)? } else { final_ends::final_ends(stage, &pieces)? };
     let (mut outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
     all_around::refuse_full(stage, &mut outcome);
-    effort += work;
-    effort += search;
+    effort += work.aside();
+    effort += search.aside();
     Ok((outcome, effort))
 }
 
@@ -208,10 +209,15 @@ fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
 
 /// Differences of the last levels of a run that ends on the way of which the largest is its error, where ends of contact move by heat or towards no known
 /// place: what they pass over once leaves its trace in the gap, which levels have in no order. Without heat an end may stay at the end of a cell for
-/// some levels.
+/// some levels. Nor are they in order where a wear rule bends at some pressures, wherever in the elements these are.
 fn traces(stage: Stage<'_>, level: &FinishedLevel) -> Option<usize> {
     let hot = stage.problem.heat.is_some() && stage.problem.wear.until.is_some();
-    if hot { Some(2) } else { (!level.ends.is_empty()).then_some(3) }
+    let bends = stage.problem.wear.laws.as_ref().is_ok_and(|laws| laws.rules.iter().any(Rule::bends));
+    match (hot, level.ends.is_empty()) {
+        (true, _) => Some(2),
+        (false, false) => Some(3),
+        (false, true) => bends.then_some(1),
+    }
 }
 
 /// How far two levels are apart in what decides whether they are enough. Heat opens a contact that is not worn in: its ends move over the elements

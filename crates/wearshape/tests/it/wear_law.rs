@@ -53,6 +53,23 @@ fn the_run_in_time_ends_at_the_uniform_pressure_of_a_punch() {
     }
 }
 
+/// Where the pressure crosses a row of a table it is not smooth, and levels come nearer in no order.
+#[test]
+fn the_shape_worn_in_by_a_table_is_no_further_off_than_is_told() {
+    let table = "wear={table=[[3,1e-6],[5,2e-6],[7,2.5e-6]],until=steady}";
+    let run = |degree: &str| solved(&scene("drum-brake-block", &["tasks=[wear]", table, degree]));
+    let [rough, fine] = ["mesh.degree=10", "mesh.degree=16"].map(run);
+    let told = rough.error.as_ref().unwrap().gap_relative.unwrap();
+    // As curves at the same places, without the height of the whole.
+    let [rough, fine] = [rough, fine].map(|solution| solution.curve.unwrap().gap);
+    let largest = fine.iter().fold(0.0_f64, |most, gap| most.max(*gap));
+    let apart: Vec<f64> = rough.iter().zip(&fine).map(|(a, b)| a - b).collect();
+    let [low, high] = [f64::min, f64::max].map(|of| apart.iter().copied().reduce(of).unwrap());
+    let off = 0.5 * (high - low) / largest;
+    println!("told {told:.1e}, off {off:.1e}");
+    assert!(off > 1e-6 && off < 2.0 * told, "{off} {told}");
+}
+
 #[test]
 fn what_does_not_go_with_a_law_is_refused_by_its_key() {
     let law = "saturating = { k = 1e-10, half = 8 }";

@@ -42,7 +42,7 @@ pub(super) fn along(stage: Stage<'_>, breaks: &[f64], reach: f64) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::breaks;
+    use super::{breaks, left};
 
     #[test]
     fn no_cell_is_a_splinter() {
@@ -50,6 +50,16 @@ mod tests {
             let breaks = breaks(1.0, end, false);
             assert!(breaks.windows(2).all(|pair| pair[1] > 1.04 * pair[0] && pair[1] < 2.01 * pair[0]), "{end}: {breaks:?}");
             assert_eq!(breaks.last(), Some(&end));
+        }
+    }
+
+    #[test]
+    fn beyond_the_end_cells_reach_to_where_the_contact_was_widest() {
+        assert!(left(1.0, 1.04, false).is_empty() && left(1.0, 0.5, true).is_empty());
+        for (widest, linear) in [(1.06, true), (1.3, false), (1.5, true), (7.0, false)] {
+            let places = [vec![1.0], left(1.0, widest, linear)].concat();
+            assert!(places.windows(2).all(|pair| pair[1] > 1.04 * pair[0] && pair[1] < 1.301 * pair[0]), "{widest}: {places:?}");
+            assert!((places[places.len() - 1] / widest - 1.0).abs() < 1e-12 && places.len() > 1);
         }
     }
 }
