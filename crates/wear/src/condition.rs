@@ -20,7 +20,10 @@ impl Condition {
     /// log p with x(p, v) = exp(log_value), and d log p / d log x.
     pub(crate) fn invert(&self, log_value: f64, speed: f64) -> (f64, f64) {
         match self {
-            Condition::Wear(rules) => invert(&|p| total(rules, p, speed), log_value),
+            Condition::Wear(rules) => match &rules[..] {
+                [Rule::Threshold(law)] => law.pressure_of(log_value, speed),
+                rules => invert(&|p| total(rules, p, speed), log_value),
+            },
             Condition::Functional(functional, friction) => {
                 let derivatives = |p: f64| {
                     let [_, first, second] = functional.at(p, speed, *friction);

@@ -23,7 +23,7 @@ pub(crate) fn invert_log(function: &dyn Fn(f64) -> (f64, f64), log_value: f64) -
     };
     let [mut low, mut high] = bracket(&|u| defect(u).0);
     let mut u = 0.5 * (low + high);
-    let mut slope = f64::INFINITY;
+    let (mut slope, mut before) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..200 {
         let (value, growth) = defect(u);
         // Below a threshold 0/0: there the pressure does not change with the rate.
@@ -37,9 +37,11 @@ pub(crate) fn invert_log(function: &dyn Fn(f64) -> (f64, f64), log_value: f64) -
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         let moved = (next - u).abs();
         u = next;
-        if moved <= 1e-15 * (1.0 + u.abs()) {
+        // At its end steps are round-off, and get no shorter.
+        if moved <= 1e-15 * (1.0 + u.abs()) || (moved <= 1e-13 * (1.0 + u.abs()) && moved >= before) {
             break;
         }
+        before = moved;
     }
     (u, 1.0 / slope)
 }

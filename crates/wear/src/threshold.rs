@@ -3,6 +3,7 @@
 //! Up to a threshold the asperities give way elastically and nothing is taken off; beyond it wear goes with the excess. Powers of the rate are
 //! convex functionals from q b = 1 on ("Under a threshold" in README).
 
+use crate::density::log_sum;
 use crate::{WearError, WearLaw};
 
 /// Wear rule of one body with a threshold: the power law of the excess `p - p0` where that is positive, else no wear.
@@ -20,6 +21,14 @@ impl ThresholdLaw {
             return Err(WearError::OutOfRange { name: "threshold pressure", value: self.threshold, wanted: "> 0 and finite" });
         }
         self.law.check()
+    }
+
+    /// log p at the wear rate exp(log_rate), `p = p0 + (w' / (beta~ v^a))^(1/b)`, and d log p / d log w'.
+    pub(crate) fn pressure_of(&self, log_rate: f64, sliding_speed: f64) -> (f64, f64) {
+        let power = 1.0 / self.law.pressure_exponent;
+        let log_excess = power * (log_rate - self.law.local_factor(sliding_speed).ln());
+        let log_pressure = log_sum([self.threshold.ln(), log_excess]);
+        (log_pressure, power * (log_excess - log_pressure).exp())
     }
 
     /// `log dX/dp` and `p X''/X'` of `X = (p^d w')^q`; -inf and NaN up to the threshold.
