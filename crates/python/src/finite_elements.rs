@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use hpfem::{Body, BodyProblem, Direction, EdgeTraction, GmshMesh, InterfaceOperator, Kinematics, Material};
 use pyo3::prelude::*;
+use scene::Fault;
 
 use crate::array::Array;
-use crate::fault::refused;
+use crate::fault::{raised, refused};
+use crate::pool::within;
 
 /// A mesh from a file.
 #[pyclass(frozen, module = "wearshape._core")]
@@ -100,8 +102,9 @@ impl Mesh {
         for (case, boundary, traction) in given.loads {
             problem = problem.load(&case, EdgeTraction::new(&boundary, move |_| traction));
         }
-        let reduced = py.detach(|| Body::interface(&problem));
-        let (operator, _) = reduced.map_err(|error| refused(py, "body", error, "mend mesh, supports or names"))?;
+        let wrong = |error: hpfem::Error| Fault::new("body", error.to_string(), "mend mesh, supports or names");
+        let reduced = py.detach(|| within(None, || Body::interface(&problem).map_err(wrong)));
+        let (operator, _) = reduced.map_err(|fault| raised(py, fault))?;
         Ok(Interface { operator: Arc::new(operator) })
     }
 }

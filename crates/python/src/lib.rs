@@ -7,6 +7,7 @@ mod document;
 mod fault;
 mod finite_elements;
 mod optimum;
+mod pool;
 mod problem;
 mod record;
 mod solution;

@@ -7,6 +7,7 @@ use serde_json::json;
 use wearshape::Options;
 
 use crate::fault::raised;
+use crate::pool::within;
 use crate::solution::{Solution, Solved};
 use crate::solve::{Run, seconds, solve};
 
@@ -38,14 +39,14 @@ impl Problem {
 
     /// Refuses what is not built, or cannot be meshed, held or loaded.
     fn available(&self, py: Python<'_>) -> PyResult<()> {
-        py.detach(|| self.posed.available()).map_err(|fault| raised(py, self.document.locate(fault)))
+        py.detach(|| within(None, || self.posed.available())).map_err(|fault| raised(py, self.document.locate(fault)))
     }
 
     /// The levels of a run with sizes and seconds, about, as JSON.
     fn forecast(&self, py: Python<'_>) -> PyResult<String> {
         let options = Options { clock: seconds, ..Options::default() };
-        let levels = py.detach(|| self.posed.forecast(&options)).map_err(|fault| raised(py, self.document.locate(fault)))?;
-        Ok(json!(levels).to_string())
+        let levels = py.detach(|| within(None, || self.posed.forecast(&options)));
+        Ok(json!(levels.map_err(|fault| raised(py, self.document.locate(fault)))?).to_string())
     }
 
     /// The scene as a drawing (SVG).

@@ -4,8 +4,11 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
+use wear::Shape;
 
 use crate::array::Array;
+use crate::fault::raised;
+use crate::pool::within;
 use crate::record::Records;
 
 /// A problem with its solution; both never change again.
@@ -105,6 +108,15 @@ impl Solution {
         Array::records(Records::of_columns(&self.solved.solution.history))
     }
 
+    /// Whether the surface has two dimensions, whose points are in no order along it.
+    #[getter]
+    fn is_map(&self) -> bool {
+        matches!(
+            self.solved.problem.contact_shape(),
+            Some(Shape::Rectangle { .. } | Shape::Ellipse { .. } | Shape::Sector { .. })
+        )
+    }
+
     /// Abscissa of pictures and its name with its unit.
     fn abscissa(&self) -> Option<(Vec<f64>, &'static str)> {
         let Solved { problem, solution } = &*self.solved;
@@ -114,7 +126,7 @@ impl Solution {
     /// The files of a folder by name.
     fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let Solved { problem, solution } = &*self.solved;
-        let files = py.detach(|| report::files(problem, solution));
+        let files = py.detach(|| within(None, || Ok(report::files(problem, solution)))).map_err(|fault| raised(py, fault))?;
         let named = PyDict::new(py);
         for (name, bytes) in files {
             named.set_item(name, PyBytes::new(py, &bytes))?;

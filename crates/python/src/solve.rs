@@ -13,12 +13,11 @@ use scene::Fault;
 use wearshape::{Options, Sampling};
 
 use crate::bodies::Bodies;
+use crate::pool::{STACK, within};
 use crate::solution::{Solution, Solved};
 
 /// Time between two looks at signals.
 const LOOK: Duration = Duration::from_millis(50);
-/// Stack of the thread: that of a program's main one.
-const STACK: usize = 8 << 20;
 
 static START: LazyLock<Instant> = LazyLock::new(Instant::now);
 
@@ -117,11 +116,7 @@ struct Work {
 
 impl Work {
     fn done(self) {
-        let solved = match self.threads.map(|threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build()) {
-            None => self.solved(),
-            Some(Ok(pool)) => pool.install(|| self.solved()),
-            Some(Err(error)) => Err(Fault::new("threads", format!("cannot start the threads: {error}"), "ask for fewer")),
-        };
+        let solved = within(self.threads, || self.solved());
         // Nobody listens any more where a signal came first.
         let _ = self.said.send(Said::Done(Box::new(solved)));
     }
