@@ -117,6 +117,13 @@ impl Solution {
         )
     }
 
+    /// x, y (mm) and pressure (MPa) on a grid over a surface of two dimensions, row by row of a square.
+    fn map(&self) -> Option<Array> {
+        let map = self.solved.solution.map.as_ref()?;
+        let points = map.position.iter().zip(&map.pressure).map(|([x, y], pressure)| [*x, *y, *pressure]);
+        Some(Array::rows(&Arc::new(points.collect::<Vec<_>>()), |points| points))
+    }
+
     /// Abscissa of pictures and its name with its unit.
     fn abscissa(&self) -> Option<(Vec<f64>, &'static str)> {
         let Solved { problem, solution } = &*self.solved;

@@ -1,9 +1,13 @@
 """Results: arrays without copies, files, pictures."""
 
+import copy
 import csv
 import gc
 import io
 import json
+import pickle
+import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -175,6 +179,74 @@ def test_plot_draws_pressure_and_gap(drum: wearshape.Result) -> None:
     figure = drum.plot()
     assert [axes.get_ylabel() for axes in figure.axes] == ["pressure (MPa)", "gap (um)"]
     assert figure.axes[1].get_xlabel() == "angle (deg)"
+
+
+@pytest.mark.parametrize("name", ["rectangular-punch", "elliptic-punch", "disc-pad"])
+def test_a_surface_of_two_dimensions_is_drawn_as_a_map(name: str) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    result = wearshape.Scene(name).run()
+    surface, colours = result.plot().axes
+    assert (surface.get_xlabel(), surface.get_ylabel(), colours.get_ylabel()) == ("x (mm)", "y (mm)", "pressure (MPa)")
+    assert not surface.lines
+    [drawn] = surface.collections
+    low, high = drawn.get_clim()
+    assert low <= result.pressure.min() and result.pressure.max() <= high < 1.02 * result.summary["pressure"]["p_max_MPa"]
+    corners = drawn.get_datalim(surface.transData).get_points()
+    assert (corners[0] <= result.position.min(axis=0)[:2]).all() and (result.position.max(axis=0)[:2] <= corners[1]).all()
+    files = result.files()
+    assert result._repr_svg_() == files["plots/map.svg"].decode()
+    assert files["plots/map.svg"].decode() in result._repr_html_()
+    assert files["plots/pressure.svg"].decode() not in result._repr_html_()
+
+
+def test_a_pressure_on_points_or_lines_is_drawn_at_its_points() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    found = wearshape.Scene("disc-pad").set({"optimum.functional": "wear-volume", "wear.b": 1.0}).run()
+    assert found.summary["pressure"]["regime"] == "singular"
+    assert np.shape(found.plot().axes[0].collections[0].get_offsets()) == (len(found.s), 2)
+
+
+def test_a_copy_has_the_same_numbers_and_a_pickle_is_refused(drum: wearshape.Result) -> None:
+    for again in (copy.copy(drum), copy.deepcopy(drum)):
+        assert np.shares_memory(again.gap, drum.gap)
+        assert again.summary == drum.summary and again.summary is not drum.summary
+    with pytest.raises(TypeError, match=r"cannot be pickled\n  remedy: keep `result.summary`"):
+        pickle.dumps(drum)
+    kept = pickle.loads(pickle.dumps(drum.profile))
+    assert (kept["gap_um"] == drum.gap).all()
+
+
+WITHOUT = """
+import sys
+sys.modules[sys.argv[1]] = None  # as if it were not installed
+import wearshape
+scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
+told = []
+try:
+    eval(sys.argv[2])
+except ModuleNotFoundError as error:
+    print(error, error.name, told)
+"""
+
+
+@pytest.mark.parametrize(
+    ("module", "call", "extra"),
+    [
+        ("pandas", "scene.run().profile.to_pandas()", "pandas"),
+        ("matplotlib", "scene.run().plot()", "plot"),
+        ("xarray", "wearshape.sweep(scene, {'wear.b': [1, 2]}, progress=lambda share, words: told.append(share))", "sweep"),
+        ("distributed", "wearshape.sweep(scene, {'wear.b': [1, 2]}, client=3)", "dask"),
+        ("scipy", "wearshape.fit(scene, [], {})", "fit"),
+        ("umbridge", "wearshape.umbridge(scene, ['wear.b'], ['pressure.p_max_MPa'])", "umbridge"),
+    ],
+)
+def test_a_module_that_is_missing_is_named_with_its_extra_before_anything_is_computed(module: str, call: str, extra: str) -> None:
+    done = subprocess.run([sys.executable, "-c", WITHOUT, module, call], capture_output=True, text=True, check=True)
+    assert f"needs {module}" in done.stdout
+    assert f"its extra `{extra}`" in done.stdout
+    assert done.stdout.endswith("[]\n")
 
 
 def test_a_column_is_an_array_like_any_other(drum: wearshape.Result) -> None:

@@ -95,6 +95,15 @@ def test_short_lists_of_the_summary_are_variables() -> None:
     assert found["contact.ends_mm.0"].values[0] == -found["contact.ends_mm.1"].values[0]
 
 
+def test_numbers_beside_words_stay_numbers() -> None:
+    scene = DRUM.set(tasks=["pressure"])
+    found = wearshape.sweep(scene, {"load.force": [1e4, "20 kN", 30000], "wear.b": [0.5, 1]})
+    assert found["load.force"].values.tolist() == [1e4, "20 kN", 30000]
+    force = found.sel({"load.force": 30000, "wear.b": 1.0})["pressure.force_N"]
+    assert float(force) == pytest.approx(3e4)
+    assert found["wear.b"].dtype == np.float64
+
+
 def test_nothing_to_sweep_over_is_an_error() -> None:
     with pytest.raises(wearshape.Error, match="nothing to sweep"):
         wearshape.sweep(DRUM, {})

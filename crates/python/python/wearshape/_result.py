@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import html
 import json
+import math
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wearshape import _core
 from wearshape._error import Error
+from wearshape._extras import extra
 from wearshape._table import Table, numbers, table
 
 if TYPE_CHECKING:
@@ -157,9 +159,12 @@ class Result:
         return paths
 
     def plot(self) -> Figure:
-        """Pressure and gap along the surface by matplotlib, which has to be installed."""
-        import matplotlib.pyplot as plt
+        """Pressure and gap along the surface, or the pressure over one of two dimensions, by matplotlib, which has to be installed."""
+        with extra("plot", "Result.plot"):
+            import matplotlib.pyplot as plt
 
+        if self._solution.is_map:
+            return self._plot_map()
         known = self._solution.abscissa()
         curves = [("pressure (MPa)", self.pressure), ("gap (um)", self.gap)]
         curves = [(label, values) for label, values in curves if np.isfinite(values).any() and values.any()]
@@ -172,12 +177,40 @@ class Result:
             axes[-1, 0].set_xlabel(known[1])
         return figure
 
+    def _plot_map(self) -> Figure:
+        """The pressure over x and y, in the true proportions of the surface."""
+        import matplotlib.pyplot as plt
+
+        figure, axes = plt.subplots(layout="constrained")
+        grid = self._solution.map()
+        if grid is None:  # at singular exponents, where the pressure is no function of the place
+            drawn: Any = axes.scatter(self.position[:, 0], self.position[:, 1], c=self.pressure, s=4)
+        else:
+            side = math.isqrt(len(numbers(grid)))
+            x, y, pressure = numbers(grid).T.reshape(3, side, side)
+            drawn = axes.pcolormesh(x, y, pressure, shading="gouraud")
+        figure.colorbar(drawn, label="pressure (MPa)")
+        axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
+        return figure
+
+    def __copy__(self) -> Result:
+        """Another one of the same numbers, which never change."""
+        return Result(self._solution)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Result:
+        return Result(self._solution)
+
+    def __reduce__(self) -> NoReturn:
+        remedy = "keep `result.summary`, `result.profile` and `result.history`, `result.files()`, or `result.save(folder)`"
+        raise TypeError(f"a wearshape.Result is a view of the solver's memory and cannot be pickled\n  remedy: {remedy}")
+
     def __repr__(self) -> str:
         return f"<wearshape.Result {self.status}: {self.verdict}>"
 
     def _repr_svg_(self) -> str | None:
         files = self.files()
-        picture = files.get("plots/gap.svg") or files.get("plots/pressure.svg")
+        names = ("plots/gap.svg", "plots/map.svg", "plots/pressure.svg")
+        picture = next((files[name] for name in names if name in files), None)
         return None if picture is None else picture.decode()
 
     def _repr_html_(self) -> str:
@@ -188,6 +221,7 @@ class Result:
             if value is not None:
                 rows.append(f"<tr><th>{key}</th><td>{value:.6g}</td></tr>")
         files = self.files()
-        pictures = [files[name].decode() for name in ("plots/pressure.svg", "plots/gap.svg") if name in files]
+        first = "plots/map.svg" if "plots/map.svg" in files else "plots/pressure.svg"
+        pictures = [files[name].decode() for name in (first, "plots/gap.svg") if name in files]
         shown = "".join(f'<div style="max-width:44em">{picture}</div>' for picture in pictures)
         return f"<p><b>{html.escape(self.verdict)}</b></p><table>{''.join(rows)}</table>{shown}"

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from wearshape import _arguments as arguments
 from wearshape import _core
 from wearshape._error import Error
+from wearshape._extras import extra
 from wearshape._progress import Progress, watched
 from wearshape._scene import Scene
 
@@ -90,6 +91,12 @@ def sweep(
     order = sorted(axes, key=lambda key: any(key == known or key.startswith(known + ".") for known in _SAME_BODIES))
     points = [dict(zip(order, values, strict=True)) for values in itertools.product(*(axes[key] for key in order))]
     _refuse_unknown(scene, points[0])
+    # Before the first point: what was computed would be lost where the dataset cannot be made.
+    with extra("sweep", "wearshape.sweep"):
+        import xarray  # noqa: F401
+    if client is not None:
+        with extra("dask", "wearshape.sweep on a cluster"):
+            import distributed  # noqa: F401
     found: list[Point | None] = [None] * len(points)
     left = len(points)
     with watched(progress, f"{scene.name}: {len(points)} points") as told:
@@ -271,6 +278,8 @@ def _dataset(scene: Scene, axes: dict[str, list[Any]], order: list[str], found: 
 
 
 def _coordinate(values: list[Any]) -> NDArray[Any]:
-    """Numbers and texts as they are; what has no order of its own (lists, tables) as text."""
-    plain = all(isinstance(value, (int, float, str)) for value in values)
-    return np.array(values if plain else [str(value) for value in values])
+    """Numbers and texts as they are, beside each other too; what has no order of its own (lists, tables) as text."""
+    plain = [value if isinstance(value, (int, float, str)) else str(value) for value in values]
+    texts = sum(isinstance(value, str) for value in plain)
+    # An array of numpy's own type would make a text of every number beside one.
+    return np.array(plain, dtype=None if texts in (0, len(plain)) else object)

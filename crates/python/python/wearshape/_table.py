@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wearshape import _core
+from wearshape._extras import extra
 
 if TYPE_CHECKING:
     import pandas
@@ -22,7 +23,8 @@ class Table(np.ndarray[tuple[int], np.dtype[np.void]]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``."""
-        import pandas
+        with extra("pandas", "to_pandas"):
+            import pandas
 
         return pandas.DataFrame({name: np.asarray(self[name]) for name in self.dtype.names or ()})
 
