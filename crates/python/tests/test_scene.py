@@ -68,6 +68,8 @@ def test_the_summary_of_a_scene_is_that_of_its_resolved_text() -> None:
         ("units = \"N-mm\"\nthicknes = 3\n", "unknown-key", "thicknes", 2),
         ("a = 1\nb", "syntax", None, 2),
         ("drum-break", "no-scene", None, None),
+        ("", "empty-scene", None, None),
+        (" ", "empty-scene", None, None),
     ],
 )
 def test_what_cannot_be_read_is_an_error_with_its_place(source: str, code: str, key: str | None, line: int | None) -> None:

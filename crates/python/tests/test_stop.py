@@ -16,7 +16,7 @@ def test_the_share_never_falls_and_has_words() -> None:
     wearshape.Scene("drum-brake-block").run(progress=lambda share, words: told.append((share, words)))
     shares = [share for share, _ in told]
     assert shares == sorted(shares)
-    assert 0.5 < shares[-1] <= 1
+    assert shares[-1] == 1 and max(shares[:-1]) < 1
     assert any("shape, degree 4" in words for _, words in told)
 
 
@@ -48,6 +48,23 @@ def test_a_run_of_another_scene_is_not_gone_on_with() -> None:
     assert stopped.status == "interrupted"
     with pytest.raises(wearshape.Error, match="one of another scene"):
         WEAR.set({"load.force": 333.0}).run(resume=stopped)
+
+
+def test_a_run_that_is_done_is_not_gone_on_with() -> None:
+    with pytest.raises(wearshape.Error, match="its status is `ok`") as raised:
+        WEAR.run(resume=WEAR.run())
+    assert raised.value.code == "not-resumable" and "begin anew" in raised.value.remedy
+
+
+def test_a_run_that_was_stopped_does_not_tell_that_it_is_done() -> None:
+    shares: list[float] = []
+
+    def stop(share: float, words: str) -> bool:
+        shares.append(share)
+        return "step" not in words
+
+    assert WEAR.run(progress=stop).status == "interrupted"
+    assert max(shares) < 1
 
 
 def test_an_error_in_the_callable_ends_the_run_and_goes_up() -> None:

@@ -87,6 +87,8 @@ class Scene:
         arguments.instance("source", source, (str, PathLike, Mapping), "a name, a path, a text or a mapping")
         if folder is not None:
             arguments.instance("folder", folder, (str, PathLike), "a path")
+        if isinstance(source, str) and not source.strip():
+            raise Error("the scene is an empty text", "empty-scene", None, f"give the path of a TOML file, a text in TOML, or one of {', '.join(_core.scenes())}")
         found = None if folder is None else Path(folder)
         if isinstance(source, Mapping):
             self._made("scene.toml", document(source), (), (found or Path(), {}))
@@ -172,12 +174,13 @@ class Scene:
         """Computes the scene.
 
         :param progress: ``True`` shows a bar (of tqdm if it is installed) in terminal and notebook; a function is called with the share that
-            is done (0 to 1, about) and words, and ends the run between two of its parts by returning ``False``: the result then says
-            ``"interrupted"``.
+            is done (0 to 1, about; 1 at the end alone) and words, and ends the run between two of its parts by returning ``False``: the result
+            then says ``"interrupted"``.
         :param sample: so many points, 2 to 1000000, evenly spaced along the surface, instead of the contact points.
         :param threads: threads of the solver; by default as many as the machine has. The numbers do not depend on them.
         :param bodies: keeps what is factorised for other runs with the same bodies, materials and supports.
-        :param resume: a result of this scene that was interrupted in a run in time; the end is that of an undisturbed run, bit for bit.
+        :param resume: a result of this scene that was interrupted in a run in time; the end is that of an undisturbed run, bit for bit. One that
+            is not :attr:`Result.resumable` is refused.
 
         Python's lock is released while it computes. Ctrl-C raises ``KeyboardInterrupt`` at once; the solver ends between two parts of its work.
         What has no answer is a result whose ``status`` says so, not an error.
@@ -191,6 +194,9 @@ class Scene:
             arguments.instance("bodies", bodies, Bodies, "a wearshape.Bodies")
         if resume is not None:
             arguments.instance("resume", resume, Result, "a wearshape.Result")
+            if not resume.resumable:
+                message = f"the result to go on with was not stopped in a run in time: its status is `{resume.status}`"
+                raise Error(message, "not-resumable", "resume", "give a result whose `resumable` is true, or begin anew without one")
         problem = self._posed()
         with watched(progress, self.name) as told:
             run: _core.Run = {
@@ -200,7 +206,10 @@ class Scene:
                 "bodies": bodies,
                 "resume": None if resume is None else resume._solution,
             }
-            return Result(problem.solve(run))
+            result = Result(problem.solve(run))
+            if told is not None and result.status != "interrupted":
+                told(1.0, "done")
+            return result
 
     def __repr__(self) -> str:
         changes = ", ".join(self._settings)
