@@ -1,6 +1,7 @@
 """Fits: what was put in comes back, within what is said of it."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -99,6 +100,58 @@ def test_data_that_are_not_computed_are_refused() -> None:
         wearshape.fit(DRUM, [wearshape.Profile("pressure_MPa", [0, 500], [1, 1], 1)], {"wear.a": 1.0})
     with pytest.raises(TypeError, match=r"^data\[0\] must be a Number, a Profile or a History, not 3$"):
         wearshape.fit(DRUM, [3], {"wear.a": 1.0})  # type: ignore[list-item]
+
+
+def test_data_that_are_no_list_are_refused() -> None:
+    with pytest.raises(TypeError, match=r"^data must be a list of Number, Profile and History, not Number"):
+        wearshape.fit(DRUM, wearshape.Number(RATE, 1, 1), {"wear.a": 1.0})  # type: ignore[arg-type]
+
+
+def test_a_start_with_bounds_is_three_numbers() -> None:
+    rate = float(DRUM.run().summary["pressure"]["wear_volume_rate_mm3_per_s"])
+    data = [wearshape.Number(RATE, 1.1 * rate, 0.01 * rate)]
+    as_tuple = wearshape.fit(DRUM, data, {"wear.beta.0": (2e-4, 1e-4, 4e-4)})
+    as_list = wearshape.fit(DRUM, data, {"wear.beta.0": [2e-4, 1e-4, 4e-4]})
+    assert as_tuple.estimates == as_list.estimates
+    assert as_tuple.estimates["wear.beta.0"] == pytest.approx(2.2e-4, rel=1e-5)
+    for level in (2, 0.0, 1.0, float("nan")):
+        with pytest.raises(wearshape.Error, match="level = ") as raised:
+            as_tuple.interval("wear.beta.0", level)
+        assert "0.95" in raised.value.remedy
+    with pytest.raises(wearshape.Error, match=r"nothing was estimated of wear\.b"):
+        as_tuple.interval("wear.b")
+    wrong: list[tuple[Any, str]] = [
+        ((1e-4, 4e-4), "2 numbers and no start"),
+        ([2e-4], "1 numbers"),
+        ((2e-4, 1e-4, 4e-4, 5e-4), "4 numbers"),
+        ((5e-4, 1e-4, 4e-4), "outside of its bounds"),
+        ((2e-4, 2e-4, 2e-4), "outside of its bounds"),
+        ((2e-4, float("nan"), 4e-4), "outside of its bounds"),
+        (float("nan"), "outside of its bounds"),
+    ]
+    for given, words in wrong:
+        with pytest.raises(wearshape.Error, match=words) as refused:
+            wearshape.fit(DRUM, data, {"wear.beta.0": given})
+        assert refused.value.key == "wear.beta.0" and "(start, low, high)" in refused.value.remedy
+    with pytest.raises(TypeError, match=r"^parameters\['wear.a'\] must be a number, not 'one'$"):
+        wearshape.fit(DRUM, data, {"wear.a": "one"})  # type: ignore[dict-item]
+
+
+def test_a_number_of_a_list_has_the_name_that_a_sweep_gives_it() -> None:
+    hertz = wearshape.Scene("hertz-cylinder").set(accuracy=1e-3)
+    end = hertz.set({"load.force": "35 kN"}).run().summary["contact"]["ends_mm"][1]
+    found = wearshape.fit(hertz, [wearshape.Number("contact.ends_mm.1", end, 1e-4 * end)], {"load.force": 30000.0})
+    assert found.estimates["load.force"] == pytest.approx(35000, rel=1e-3)
+    for key in ("contact.ends_mm.2", "contact.ends_mm", "contact.ends_mm.-1"):
+        with pytest.raises(wearshape.Error, match=r"contact\.ends_mm"):
+            wearshape.fit(hertz, [wearshape.Number(key, 1, 1)], {"load.force": 30000.0})
+
+
+def test_a_map_is_no_curve() -> None:
+    data = [wearshape.Profile("pressure_MPa", [0.0], [1.0], 1.0)]
+    with pytest.raises(wearshape.Error, match="two dimensions") as raised:
+        wearshape.fit(wearshape.Scene("disc-pad"), data, {"load.force": 1e3})
+    assert "Number" in raised.value.remedy
 
 
 def test_experiments_of_long_arrays_are_told_apart() -> None:

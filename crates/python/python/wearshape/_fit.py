@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,7 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from wearshape import _arguments as arguments
 from wearshape import _core
+from wearshape import _keys as keys
 from wearshape._error import Error
+from wearshape._extras import extra
 from wearshape._result import Result
 from wearshape._scene import Scene
 from wearshape._table import Table
@@ -38,7 +41,7 @@ class Measurement(ABC):
 class Number(Measurement):
     """A measured number of the summary."""
 
-    #: Dotted key, as ``"pressure.torque_Nmm"``.
+    #: Dotted key, as ``"pressure.torque_Nmm"``; of a list the place from 0, as ``"contact.ends_mm.1"``.
     key: str
     #: Measured value, in the unit of the key.
     value: float
@@ -48,20 +51,19 @@ class Number(Measurement):
     changes: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        arguments.instance("key", self.key, str, "a dotted key of the summary")
         arguments.finite("value", self.value)
         if arguments.finite("sigma", self.sigma) <= 0:
             raise Error(f"sigma = {self.sigma} is not positive", "wrong-argument", "sigma", _DEVIATIONS)
 
     def residuals(self, result: Result) -> NDArray[np.float64]:
         """(computed - measured) / sigma. Shape (1,)."""
-        value: Any = result.summary
-        for part in self.key.split("."):
-            if not isinstance(value, dict) or part not in value:
-                raise Error(f"the summary has no {self.key}: {result.verdict}", "no-number", self.key, "see `result.summary`")
-            value = value[part]
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
+        value = keys.number(result.summary, self.key)
+        if value is None and keys.item(result.summary, self.key) is not None:
             raise Error(f"{self.key} of the summary is no number", "no-number", self.key, "see `result.summary`")
-        return np.array([(float(value) - self.value) / self.sigma])
+        if value is None:
+            raise Error(f"the summary has no {self.key}: {result.verdict}", "no-number", self.key, "see `result.summary`")
+        return np.array([(value - self.value) / self.sigma])
 
 
 @dataclass(frozen=True)
@@ -94,7 +96,8 @@ class _Column(Measurement):
 
     def _against(self, known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDArray[np.float64]:
         """Between the points of the solver by a cubic that keeps the ups and downs of its numbers."""
-        from scipy.interpolate import PchipInterpolator
+        with extra("fit", "wearshape.fit"):
+            from scipy.interpolate import PchipInterpolator
 
         at = np.asarray(self.at, dtype=np.float64)
         if at.min() < known[0] or at.max() > known[-1]:
@@ -110,6 +113,9 @@ class Profile(_Column):
 
     def residuals(self, result: Result) -> NDArray[np.float64]:
         """(computed - measured) / sigma. Shape (m,)."""
+        if result._solution.is_map:
+            remedy = "give a Number of the summary, as Number(\"pressure.p_max_MPa\", value, sigma)"
+            raise Error(f"{self.column} is no curve over s: the surface has two dimensions", "no-curve", self.column, remedy)
         return self._against(result.s, self._computed("profile", result.profile))
 
 
@@ -167,8 +173,13 @@ class Fit:
 
     def interval(self, key: str, level: float = 0.95) -> tuple[float, float]:
         """Confidence interval of an estimate, for noise as the given sigma say."""
-        from scipy.stats import norm
+        with extra("fit", "Fit.interval"):
+            from scipy.stats import norm
 
+        if key not in self.estimates:
+            raise Error(f"nothing was estimated of {key}", "wrong-argument", "key", f"give one of {', '.join(self.estimates)}")
+        if not 0 < arguments.number("level", level) < 1:
+            raise Error(f"level = {level} is no probability between 0 and 1", "wrong-argument", "level", "give 0.95 for 95 %")
         reach = float(norm.ppf(0.5 + level / 2)) * self.deviations[key]
         return self.estimates[key] - reach, self.estimates[key] + reach
 
@@ -176,37 +187,32 @@ class Fit:
 def fit(
     scene: Scene,
     data: Sequence[Measurement],
-    parameters: Mapping[str, float | tuple[float, float, float]],
+    parameters: Mapping[str, float | Sequence[float]],
 ) -> Fit:
     """Finds parameters of a scene from measurements by ``scipy.optimize.least_squares``.
 
     :param data: :class:`Number`, :class:`Profile` and :class:`History`, each with its standard deviation and with what was set in its
         experiment; equal settings are run once.
-    :param parameters: keys with a start value other than 0, or with a start value and the smallest and largest one. Keys are those of
+    :param parameters: keys with a start value other than 0, or with three: a start value, the smallest and the largest one. Keys are those of
         :meth:`Scene.set`; ``wear.beta.0`` is the first of a list.
 
     The covariance is (J^T J)^-1 of the residuals, whose sigma are taken as they are given.
 
     Raises :class:`Error` for data that the scene does not compute, and where it has no answer beside a point that has one, so that there are no slopes.
     """
-    from scipy.optimize import least_squares
+    with extra("fit", "wearshape.fit"):
+        from scipy.optimize import least_squares
 
     arguments.instance("scene", scene, Scene, "a wearshape.Scene")
     arguments.instance("parameters", parameters, Mapping, "a mapping of keys to start values")
+    arguments.instance("data", data, Sequence, "a list of Number, Profile and History")
     for number, each in enumerate(data):
         arguments.instance(f"data[{number}]", each, Measurement, "a Number, a Profile or a History")
     names = list(parameters)
     if not names or not data:
         raise Error("there is nothing to fit", "nothing-to-fit", None, "give one parameter and one measurement at least")
-    bounds = np.array([value[1:] if isinstance(value, tuple) else (-np.inf, np.inf) for value in parameters.values()], dtype=float)
-    start = np.array([value[0] if isinstance(value, tuple) else value for value in parameters.values()], dtype=float)
-    if (start == 0).any():
-        name = names[int(np.argmin(np.abs(start)))]
-        raise Error(f"{name} starts at 0", "zero-start", name, "start where it might be: its size is the scale of the steps")
-    outside = ~((bounds[:, 0] <= start) & (start <= bounds[:, 1]))
-    if outside.any():
-        name = names[int(np.argmax(outside))]
-        raise Error(f"{name} starts outside of its bounds", "wrong-start", name, "give a start, then the smallest and the largest value")
+    ranges = np.array([_range(key, value) for key, value in parameters.items()])
+    start, bounds = ranges[:, 0], ranges[:, 1:]
     experiments: dict[Hashable, list[Measurement]] = {}
     for each in data:
         experiments.setdefault(_told(each.changes), []).append(each)
@@ -267,6 +273,22 @@ def fit(
         residuals=solved.fun,
         runs=runs,
     )
+
+
+def _range(key: str, value: Any) -> tuple[float, float, float]:
+    """Start, smallest and largest value of a parameter."""
+    given = value.tolist() if hasattr(value, "tolist") else value  # numpy's arrays and numbers
+    given = given if isinstance(given, (tuple, list)) else (given, -math.inf, math.inf)
+    remedy = "give a start, or a start, then the smallest and the largest value: (start, low, high)"
+    if len(given) != 3:
+        what = " and no start" if len(given) == 2 else ""
+        raise Error(f"{key} has {len(given)} numbers{what}", "wrong-start", key, remedy)
+    start, low, high = (arguments.number(f"parameters[{key!r}]", number) for number in given)
+    if start == 0:
+        raise Error(f"{key} starts at 0", "zero-start", key, "start where it might be: its size is the scale of the steps")
+    if not (low <= start <= high and low < high and math.isfinite(start)):
+        raise Error(f"{key} starts outside of its bounds: {start}, from {low} to {high}", "wrong-start", key, remedy)
+    return start, low, high
 
 
 def _beside(lost: Error) -> Error:
