@@ -56,6 +56,7 @@ pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Out
         (trial.nodes, trial.ends) = (positioned.nodes.clone(), ends);
         let solved = setting.result(level, &trial, positioned, work)?;
         trial.stick = Twist::node(&solved.contact);
+        trial.shift = 0.5 * solved.contact.stick_ends.iter().sum::<f64>();
         Ok((solved, Aside { nodes: trial.nodes.clone(), diagnosis: None }))
     })?;
     Ok((outcome, effort, reported.unwrap_or_default().nodes))
@@ -69,6 +70,8 @@ struct Trial {
     ends: FreeEnds,
     /// Where the stick of a twist ended at the last level.
     stick: Option<f64>,
+    /// How far the zone of stick was shifted as a whole at the last level (mm).
+    shift: f64,
     /// Whether the end of stick is looked for too.
     sought: bool,
     /// Accuracy to which the ends are wanted, over their largest distance.
@@ -84,7 +87,7 @@ impl Trial {
         let moving = if sought { &nodes[..] } else { &nodes[nodes.len() - 1..] };
         let ends = FreeEnds::near(moving.iter().map(|x| x / setting.room()).collect());
         let part = (setting.shear != 0.0 && !sought).then(|| nodes[0] / end);
-        Trial { nodes, ends, stick: None, sought, within: 0.0, part }
+        Trial { nodes, ends, stick: None, shift: 0.0, sought, within: 0.0, part }
     }
 
     /// All nodes, given the places of those that are moved: a node where the stick of a twist ended at the last level stays there; one of a stick that
@@ -134,15 +137,15 @@ impl Setting<'_> {
         push
     }
 
-    /// States of the points between given ends of stick and contact. The nodes on the ends are the points nearest to them, and the others stand
+    /// States of the points between given ends of stick, shifted as a whole, and of contact. The nodes on the ends are the points nearest to them, and the others stand
     /// before or after them in order: distances do not tell points apart that lie closer than round-off of the lengths.
-    fn states(&self, points: &[ContactPoint], nodes: &[f64]) -> Vec<ContactState> {
+    fn states(&self, points: &[ContactPoint], nodes: &[f64], shift: f64) -> Vec<ContactState> {
         let slip = if self.shear > 0.0 { ContactState::Backward } else { ContactState::Forward };
-        let within = |node: f64| {
-            let [one, other] = [-node, node].map(|x| self.nearest(points, x));
+        let within = |node: f64, shift: f64| {
+            let [one, other] = [-node, node].map(|x| self.nearest(points, x + shift));
             one.min(other)..=one.max(other)
         };
-        let (stick, contact) = (within(nodes[0]), within(nodes[nodes.len() - 1]));
+        let (stick, contact) = (within(nodes[0], shift), within(nodes[nodes.len() - 1], 0.0));
         (0..points.len())
             .map(|i| match (stick.contains(&i), contact.contains(&i)) {
                 (true, _) => ContactState::Stick,
@@ -216,7 +219,7 @@ impl Setting<'_> {
         let clock = self.options.clock;
         let pair = facing(bodies)?;
         let points = pair.points();
-        let states = self.states(&points, nodes);
+        let states = self.states(&points, nodes, 0.0);
         let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
         let operator = work.timed(Step::Interface, clock, |_| self.operator(&pair, &closed))?;
         let start = clock();
@@ -241,7 +244,10 @@ impl Setting<'_> {
 
     /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
     fn result(&self, level: Level, trial: &Trial, positioned: Positioned, mut effort: Effort) -> Result<Solved, Refusal> {
-        let Positioned { nodes, parts, bodies, held } = positioned;
+        let Positioned { nodes, parts, bodies, mut held } = positioned;
+        if let Some(sheared) = &mut held.sheared {
+            sheared.states = self.states(&held.points, &nodes, trial.shift);
+        }
         let pair = facing(&bodies)?;
         let operator = ContactOperator::with(&pair, Arc::clone(&held.unit));
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
