@@ -178,7 +178,7 @@ def test_plot_draws_pressure_and_gap(drum: wearshape.Result) -> None:
     matplotlib.use("Agg")
     figure = drum.plot()
     assert [axes.get_ylabel() for axes in figure.axes] == ["pressure (MPa)", "gap (um)"]
-    assert figure.axes[1].get_xlabel() == "angle (deg)"
+    assert figure.axes[1].get_xlabel() == "angle (\u00b0)"
 
 
 @pytest.mark.parametrize("name", ["rectangular-punch", "elliptic-punch", "disc-pad"])

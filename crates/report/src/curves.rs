@@ -5,6 +5,7 @@ use wearshape::{PointStatus, Problem, Profile, Rung, Shape, Solution};
 
 use crate::brief::brief;
 use crate::heat_curves::{HeatCurves, heat_curves, warm};
+use crate::labels::shown_title;
 use crate::line_plot::{Axis, LinePlot, Series, Zone, cut};
 use crate::path_curves::path_plots;
 
@@ -17,7 +18,7 @@ pub(crate) struct Picture {
 
 /// The plots of a run.
 pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<Picture> {
-    let title = problem.title();
+    let title = &shown_title(problem);
     let Some(points) = &solution.profile else {
         return Vec::new();
     };
@@ -39,7 +40,7 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
     let series = |name: &str, values: &[f64], dashed: bool| series_over(&places, name, values, dashed);
     let known = |values: &[f64]| values.iter().any(|value| value.is_finite());
     let plot = |what: &str, y_label: &str, series: Vec<Series>| LinePlot {
-        title: format!("{}: {what}", problem.title()),
+        title: format!("{}: {what}", shown_title(problem)),
         x_label: x_label.to_string(),
         y_label: y_label.to_string(),
         axes: [Axis::Linear, Axis::Linear],
@@ -108,7 +109,7 @@ fn heat_pictures(problem: &Problem, solution: &Solution, profile: &Profile) -> V
     let series = |name: &str, values: &[f64], dashed: bool| series_over(&places, name, values, dashed);
     let picture = |curves: HeatCurves| {
         let plot = LinePlot {
-            title: format!("{}: {}", problem.title(), curves.what),
+            title: format!("{}: {}", shown_title(problem), curves.what),
             x_label: x_label.to_string(),
             y_label: curves.label.to_string(),
             axes: [Axis::Linear, Axis::Linear],
@@ -290,7 +291,7 @@ pub(crate) fn curves_json(plots: &[Picture]) -> Value {
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.
 pub fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
     if let Some(angles) = profile.s.iter().map(|s| problem.angle(*s)).collect::<Option<Vec<_>>>() {
-        return (angles.into_iter().map(f64::to_degrees).collect(), "angle (deg)");
+        return (angles.into_iter().map(f64::to_degrees).collect(), "angle (\u{b0})");
     }
     match problem.contact_shape() {
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => (profile.s.clone(), "radius (mm)"),

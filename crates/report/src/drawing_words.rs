@@ -61,7 +61,7 @@ fn guided_words((edge, support): (&String, &Support)) -> Option<String> {
             let [x, z] = at.map(|x| brief(x.0));
             Some(format!("{edge} turns about the pin at ({x}, {z})"))
         }
-        Support::Roller(angle) => Some(format!("{edge} runs on a roller at {} deg", brief(angle.0.to_degrees()))),
+        Support::Roller(angle) => Some(format!("{edge} runs on a roller at {}\u{b0}", brief(angle.0.to_degrees()))),
     }
 }
 
@@ -76,7 +76,7 @@ fn elastic(material: &Material) -> String {
                 Axes::Three(shear) => format!(", G = {} GPa", along(shear)),
             });
             let angle = material.angle.map_or(0.0, |angle| angle.0.to_degrees());
-            let turned = if angle == 0.0 { String::new() } else { format!(", axis 1 at {} deg", brief(angle)) };
+            let turned = if angle == 0.0 { String::new() } else { format!(", axis 1 at {}\u{b0}", brief(angle)) };
             format!("E = {} GPa, \u{3bd} = {}{shear}{turned}", along(young.each()), list(&poisson.each()))
         }
     }
@@ -94,7 +94,7 @@ fn load_words(load: &Load) -> String {
         LoadKind::Rigid => format!("on {edge}, which moves without bending"),
         LoadKind::Traction => {
             let direction = load.direction.map_or(0.0, |angle| angle.0.to_degrees());
-            format!("as a traction at {} deg on {edge}", brief(direction))
+            format!("as a traction at {}\u{b0} on {edge}", brief(direction))
         }
     }));
     words.extend(load.tilt.map(|tilt| match tilt.0 {

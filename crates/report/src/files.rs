@@ -4,6 +4,7 @@ use wearshape::{Problem, Solution, Step};
 
 use crate::drawing::drawing;
 use crate::json::pretty;
+use crate::labels::shown_title;
 use crate::line_plot::zoned_plot;
 use crate::table::{columns_csv, profile_csv};
 use crate::touch::Touch;
@@ -46,13 +47,13 @@ pub fn files(problem: &Problem, solution: &Solution) -> Vec<(String, Vec<u8>)> {
 
 /// The drawing, the plots with their numbers, the map and the stress.
 fn pictures(problem: &Problem, solution: &Solution, put: &mut dyn FnMut(&str, String)) {
-    let title = problem.title();
+    let title = shown_title(problem);
     put(page::SCENE_PICTURE, drawing(problem));
     if let Some(frame) = solution.fields.first() {
         let touch = solution.profile.as_ref().and_then(|profile| Touch::new(problem, profile));
-        let title = format!("{title}: von Mises stress");
-        put(page::FIELD_PICTURE, field_picture::field_picture(frame, touch.as_ref(), &title));
-        let warm = heat_picture::heat_picture(frame, &format!("{}: temperature", problem.title()));
+        let stress = format!("{title}: von Mises stress");
+        put(page::FIELD_PICTURE, field_picture::field_picture(frame, touch.as_ref(), &stress));
+        let warm = heat_picture::heat_picture(frame, &format!("{title}: temperature"));
         warm.into_iter().for_each(|picture| put(page::HEAT_PICTURE, picture));
     }
     if let (Some(map), Some(pressure)) = (&solution.map, &solution.pressure) {

@@ -1,5 +1,7 @@
 //! The keys of the summary in words, with their units.
 
+use wearshape::Problem;
+
 /// Words for keys that do not say enough themselves, by the end of the dotted key.
 const WORDS: &[(&str, &str)] = &[
     ("shape.iterations", "passes of the shape iteration"),
@@ -112,9 +114,9 @@ const WORDS: &[(&str, &str)] = &[
     ("heat.into_body2_mW", "of it into body 2"),
     ("heat.balance", "heat that is missing from the balance, relative"),
     ("heat.T_max1_degC", "highest temperature of body 1"),
-    ("heat.T_max1_at_mm", "there (x, z)"),
+    ("heat.T_max1_at_mm", "place of the highest temperature of body 1 (x, z)"),
     ("heat.T_max2_degC", "highest temperature of body 2"),
-    ("heat.T_max2_at_mm", "there (x, z)"),
+    ("heat.T_max2_at_mm", "place of the highest temperature of body 2 (x, z)"),
     ("heat.staggered_limit_speed_factor", "factor on the speed up to which pressure and temperature by turns would settle"),
     ("heat.separation_speed_factor", "factor on the speed at which surfaces without a gap begin to part"),
     ("heat.critical_speed_factor", "factor on the speed at which this contact is singular"),
@@ -191,12 +193,34 @@ pub(crate) fn label_of_mean(key: &str) -> (String, &'static str) {
     (if of_mean { format!("{words}, of the mean of both directions") } else { words }, unit)
 }
 
+/// Words of a key about bodies of revolution: their x is the radius, and so is what else is measured along the surface from its middle.
+pub(crate) fn by_radius(words: &str) -> String {
+    let radii = [("along the surface from its middle", "radius"), ("(x, z)", "(r, z)"), ("(x, y, z)", "(r, y, z)")];
+    radii.iter().fold(words.to_string(), |words, (along, radius)| words.replace(along, radius))
+}
+
 /// A sentence of the summary, which is plain ASCII, with the signs of its units.
 pub(crate) fn with_signs(sentence: &str) -> String {
+    signed(sentence, |_| true)
+}
+
+/// A title with the signs of the units that stand behind a number: the other words are the user's, and may be of any language.
+pub(crate) fn title_with_signs(title: &str) -> String {
+    signed(title, |before| before.trim_end().ends_with(|c: char| c.is_ascii_digit()))
+}
+
+/// The title of a problem for pages and pictures.
+pub(crate) fn shown_title(problem: &Problem) -> String {
+    title_with_signs(problem.title())
+}
+
+/// Words with the signs of units, where `is_unit` says so by what stands before one.
+fn signed(words: &str, is_unit: fn(&str) -> bool) -> String {
     let mut out = String::new();
-    for word in sentence.split_inclusive(' ') {
+    for word in words.split_inclusive(' ') {
         let (unit, rest) = word.split_at(word.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(word.len()));
         let sign = match unit {
+            _ if !is_unit(&out) => unit,
             "um" => "\u{b5}m",
             "degC" => "\u{b0}C",
             "deg" => {
@@ -208,7 +232,7 @@ pub(crate) fn with_signs(sentence: &str) -> String {
         out += sign;
         out += rest;
     }
-    out.replace("mm^3", "mm\u{b3}").replace("mm^2", "mm\u{b2}")
+    out.replace("mm^3", "mm\u{b3}").replace("mm^2", "mm\u{b2}").replace("+-", "\u{b1}")
 }
 
 /// A word of the summary, with what it means to whom the theory is new.
@@ -234,12 +258,14 @@ pub(crate) fn word_explained(word: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{label, label_of_mean, with_signs};
+    use super::{by_radius, label, label_of_mean, title_with_signs, with_signs};
 
     #[test]
     fn sentences_of_the_page_have_the_signs_of_units() {
         let plain = "Leave on most, 3 um, at 30 deg; hottest at 40 degC, 2 um.";
         assert_eq!(with_signs(plain), "Leave on most, 3 \u{b5}m, at 30\u{b0}; hottest at 40 \u{b0}C, 2 \u{b5}m.");
+        assert_eq!(with_signs("2 MPa at +-45 deg"), "2 MPa at \u{b1}45\u{b0}");
+        assert_eq!(title_with_signs("Welle um 25 mm, Spiel 50 um"), "Welle um 25 mm, Spiel 50 \u{b5}m");
         assert_eq!(with_signs("2 mm^3 of a sum to a degree"), "2 mm\u{b3} of a sum to a degree");
     }
 
@@ -251,6 +277,8 @@ mod tests {
         assert_eq!(label("heat.T_max1_degC"), ("highest temperature of body 1".into(), "\u{b0}C"));
         assert_eq!(label_of_mean("pressure.p_max_MPa").0, "largest pressure, of the mean of both directions");
         assert_eq!(label_of_mean("pressure.force_N"), label("pressure.force_N"));
+        assert_eq!(by_radius(&label("shape.gap_where_mm").0), "there, radius");
+        assert_eq!(by_radius(&label("heat.T_max2_at_mm").0), "place of the highest temperature of body 2 (r, z)");
         assert_eq!(label("wear.rejected_steps"), ("rejected steps".into(), ""));
         assert_eq!(label("pressure.wear_volume_rate_mm3_per_s"), ("wear volume rate".into(), "mm\u{b3}/s"));
     }

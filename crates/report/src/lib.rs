@@ -32,6 +32,7 @@ mod path_csv;
 mod path_curves;
 mod place;
 mod reach;
+mod round_off;
 mod run_in;
 mod section_plot;
 mod shape_words;

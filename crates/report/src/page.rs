@@ -1,12 +1,12 @@
 //! report.html: one self-contained page, without network, built from the files of the folder.
 
-use scene::{Document, Fault};
+use scene::{Document, Fault, Kinematics};
 use serde_json::{Value, json};
 use wearshape::RunningIn;
 
 use crate::escape::escaped;
 use crate::harmless::is_harmless;
-use crate::labels::with_signs;
+use crate::labels::{title_with_signs, with_signs};
 use crate::page_frame::{begin, end};
 use crate::page_tables::{glance_html, stages, tables};
 use crate::run_in::run_in;
@@ -61,8 +61,10 @@ struct Parts<'a> {
 fn html(parts: &Parts<'_>) -> String {
     let Parts { summary, curves, resolved, .. } = parts;
     let charts: Vec<&Value> = curves.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
-    let run_in = parts.running_in.and_then(run_in);
-    let mut out = head(summary, resolved);
+    let scene = Document::read("scene.resolved.toml", resolved, &[]).ok().map(|document| document.scene);
+    let revolved = scene.as_ref().is_some_and(|scene| scene.kinematics == Some(Kinematics::Axisymmetric));
+    let run_in = parts.running_in.and_then(|run| run_in(run, revolved));
+    let mut out = head(summary, scene.and_then(|scene| scene.title));
     if !parts.left_out.is_empty() {
         let names = escaped(&parts.left_out.join(", "));
         out += &format!("<p class=\"note\">Left out, for they are no pictures as wearshape draws them: {names}</p>\n");
@@ -78,10 +80,10 @@ fn html(parts: &Parts<'_>) -> String {
     out += run_in.as_ref().map_or("", |_| RUN_IN);
     out += &parts.field.as_deref().map(|picture| inside(picture, parts.heat.as_deref())).unwrap_or_default();
     out += &links(parts);
-    out += &tables(summary);
+    out += &tables(summary, revolved);
     out += &stages(summary);
     out += &limits(summary);
-    out += &scene(summary, resolved);
+    out += &source(summary, resolved);
     out + &end(&json!({ "charts": charts, "run_in": run_in }))
 }
 
@@ -100,11 +102,10 @@ fn text(summary: &Value, key: &str) -> String {
     escaped(summary[key].as_str().unwrap_or(""))
 }
 
-/// Up to the verdict and the remarks.
-fn head(summary: &Value, resolved: &str) -> String {
+/// Up to the verdict and the remarks, below the title that the scene gives.
+fn head(summary: &Value, given: Option<String>) -> String {
     let text = |key: &str| text(summary, key);
-    let given = Document::read("scene.resolved.toml", resolved, &[]).ok().and_then(|document| document.scene.title);
-    let title = given.map_or_else(|| text("scene"), |title| escaped(&title));
+    let title = given.map_or_else(|| text("scene"), |title| escaped(&title_with_signs(&title)));
     let mut out = begin(&title);
     out += &format!(
         "<h1>{title}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n",
@@ -170,7 +171,8 @@ fn limits(summary: &Value) -> String {
     out
 }
 
-fn scene(summary: &Value, resolved: &str) -> String {
+/// The scene as it was read.
+fn source(summary: &Value, resolved: &str) -> String {
     format!(
         "<h2>Scene</h2>\n<details><summary>scene.resolved.toml, SHA-256 <span class=\"hash\">{}</span></summary>\n<pre>{}</pre></details>\n",
         text(summary, "scene_sha256"),
@@ -254,6 +256,7 @@ fn damaged(name: &str, error: &dyn std::fmt::Display) -> Fault {
 
 #[cfg(test)]
 mod tests {
+    use scene::Document;
     use serde_json::json;
 
     use super::head;
@@ -269,9 +272,10 @@ mod tests {
             ("\"C:\\\\temp it's\"", "C:\\temp it's"),
             ("\"\"\"two\nlines\"\"\"", "two\nlines"),
         ] {
-            let page = head(&summary, &format!("title = {title}\n{rest}"));
+            let scene = Document::read("scene.resolved.toml", &format!("title = {title}\n{rest}"), &[]).map(|read| read.scene);
+            let page = head(&summary, scene.ok().and_then(|scene| scene.title));
             assert!(page.contains(&format!("<h1>{shown}</h1>")), "{title}: {page}");
         }
-        assert!(head(&summary, "").contains("<h1>a-scene</h1>"));
+        assert!(head(&summary, None).contains("<h1>a-scene</h1>"));
     }
 }

@@ -4,8 +4,9 @@ use serde_json::Value;
 
 use crate::brief::brief;
 use crate::escape::escaped;
-use crate::labels::{label, label_of_mean, word_explained};
+use crate::labels::{by_radius, label, label_of_mean, word_explained};
 use crate::one_percent::one_percent;
+use crate::round_off::without_round_off;
 use crate::summary::numbers;
 use crate::tolerance::tolerance;
 
@@ -28,8 +29,9 @@ const HEADINGS: [(&str, &str); 12] = [
     ("counters", "What it took"),
 ];
 
-/// A table for each part of the summary, as HTML in which every text is escaped.
-pub fn tables(summary: &Value) -> String {
+/// A table for each part of the summary, as HTML in which every text is escaped; of bodies of revolution (`revolved`) x is the radius.
+pub fn tables(summary: &Value, revolved: bool) -> String {
+    let summary = &without_round_off(summary);
     let mut out = String::new();
     for part in [
         "machining",
@@ -46,10 +48,13 @@ pub fn tables(summary: &Value) -> String {
         "counters",
     ] {
         let of_mean = part == "pressure" && !summary["reversing"].is_null();
-        out += &table(part, &summary[part], if of_mean { label_of_mean } else { label });
+        out += &table(part, &summary[part], &|key| {
+            let (words, unit) = if of_mean { label_of_mean(key) } else { label(key) };
+            (if revolved { by_radius(&words) } else { words }, unit)
+        });
         match part {
             "shape" => out += &tolerance(&summary["shape"]["tolerance"]),
-            "pressure" => out += &one_percent(&summary["pressure"]["sensitivity"]),
+            "pressure" => out += &one_percent(&summary["pressure"]),
             _ => {}
         }
     }
@@ -118,7 +123,7 @@ pub fn glance(summary: &Value) -> Vec<(&'static str, f64, &'static str)> {
 
 /// The first numbers, in four digits.
 pub(crate) fn glance_html(summary: &Value) -> String {
-    let rows = glance(summary);
+    let rows = glance(&without_round_off(summary));
     if rows.is_empty() {
         return String::new();
     }
@@ -129,19 +134,19 @@ pub(crate) fn glance_html(summary: &Value) -> String {
     format!("<dl class=\"glance\">\n{rows}</dl>\n")
 }
 
-fn table(name: &str, part: &Value, label: fn(&str) -> (String, &'static str)) -> String {
+fn table(name: &str, part: &Value, label: &dyn Fn(&str) -> (String, &'static str)) -> String {
     // What needs no bodies took nothing.
     let nothing = name == "counters" && part.as_object().into_iter().flatten().all(|(_, count)| *count == 0);
     if !part.is_object() || nothing {
         return String::new();
     }
     let heading = HEADINGS.iter().find(|(known, _)| *known == name).map_or(name, |(_, heading)| heading);
-    let mut out = format!("<h2>{heading}</h2>\n<div class=\"wide\"><table>\n");
+    let mut rows = String::new();
     let mut row = |key: &str, value: &str, number: bool| {
         let (words, unit) = label(&format!("{name}.{key}"));
         let class = if number { " class=\"number\"" } else { "" };
         let space = if unit.is_empty() { "" } else { " " };
-        out += &format!(
+        rows += &format!(
             "<tr><td title=\"{}\">{}</td><td{class}>{}{space}{unit}</td></tr>\n",
             escaped(&format!("{name}.{key}")),
             escaped(&words),
@@ -163,7 +168,11 @@ fn table(name: &str, part: &Value, label: fn(&str) -> (String, &'static str)) ->
             row(key, &items.join(", "), false);
         }
     }
-    out + "</table></div>\n"
+    // A part of which nothing was asked for has no heading.
+    if rows.is_empty() {
+        return rows;
+    }
+    format!("<h2>{heading}</h2>\n<div class=\"wide\"><table>\n{rows}</table></div>\n")
 }
 
 /// A value of the summary as text.
@@ -183,5 +192,26 @@ fn shown(value: &Value) -> String {
             entries.join(", ")
         }
         other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::tables;
+
+    #[test]
+    fn a_part_without_numbers_has_no_heading() {
+        let page = tables(&json!({ "energy": {}, "contact": { "force_N": 2.0 } }), false);
+        assert!(page.contains("<h2>Contact</h2>") && !page.contains("Energy"), "{page}");
+    }
+
+    #[test]
+    fn places_of_bodies_of_revolution_are_told_by_their_radius() {
+        let summary = json!({ "heat": { "T_max1_at_mm": [81.0, 12.0], "T_max2_at_mm": [80.0, 12.0] } });
+        let words = |revolved: bool| tables(&summary, revolved);
+        assert!(words(true).contains(">place of the highest temperature of body 2 (r, z)<"), "{}", words(true));
+        assert!(words(false).contains(">place of the highest temperature of body 1 (x, z)<"), "{}", words(false));
     }
 }

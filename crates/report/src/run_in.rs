@@ -10,7 +10,8 @@ const STEPS: usize = 80;
 const POINTS: usize = 161;
 
 /// Pressure and gap at the steps of a run, thinned out and in six digits, as the page draws them; none of a run with fewer than two steps.
-pub fn run_in(run: &RunningIn) -> Option<Value> {
+/// Of bodies of revolution (`revolved`) the place is the radius.
+pub fn run_in(run: &RunningIn, revolved: bool) -> Option<Value> {
     let RunningIn { s, steps } = run;
     let last = steps.len().checked_sub(1).filter(|last| *last > 0)?;
     let count = last.min(STEPS - 1);
@@ -30,7 +31,7 @@ pub fn run_in(run: &RunningIn) -> Option<Value> {
     let pressures: Vec<Vec<f64>> = shown.iter().map(|step| step.pressure.clone()).collect();
     let gaps: Vec<Vec<f64>> = shown.iter().map(|step| above(&step.gap)).collect();
     Some(json!({
-        "x_label": "along the surface from its middle, s (mm)",
+        "x_label": if revolved { "radius (mm)" } else { "along the surface from its middle, s (mm)" },
         "pressure_axis": axis(s, &pressures),
         "gap_axis": axis(s, &gaps),
         "x": column(s),

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::curves::{Picture, curves_json};
 use crate::escape::escaped;
-use crate::labels::with_signs;
+use crate::labels::{title_with_signs, with_signs};
 use crate::line_plot::{LinePlot, line_plot};
 use crate::page::figures;
 use crate::page_frame::{begin, end};
@@ -31,16 +31,17 @@ pub struct SweepPage<'a> {
 /// The page of a sweep, self-contained; the same parts give the same bytes.
 pub fn sweep_page(page: &SweepPage<'_>) -> String {
     let text = |key: &str| escaped(page.summary[key].as_str().unwrap_or(""));
+    let plots: Vec<LinePlot> = page.plots.iter().map(with_signs_of_units).collect();
     let plain = |plot: &LinePlot| Picture { file: String::new(), plot: plot.clone(), zones: Vec::new() };
-    let charts = curves_json(&page.plots.iter().map(plain).collect::<Vec<Picture>>());
+    let charts = curves_json(&plots.iter().map(plain).collect::<Vec<Picture>>());
     let mut charts: Vec<Value> = charts.as_array().into_iter().flatten().map(|entry| entry["chart"].clone()).collect();
-    let above = names_above(page.plots);
+    let above = names_above(&plots);
     for chart in charts.iter_mut().filter(|_| above) {
         chart["names_above"] = json!(true);
     }
     let charts: Vec<&Value> = charts.iter().collect();
-    let pictures: Vec<String> = page.plots.iter().map(line_plot).collect();
-    let title = escaped(page.title);
+    let pictures: Vec<String> = plots.iter().map(line_plot).collect();
+    let title = escaped(&title_with_signs(page.title));
     let mut out = begin(&format!("{title}: sweep"));
     out += &format!(
         "<h1>{title}: sweep</h1>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n<p class=\"verdict\">{}</p>\n",
@@ -50,13 +51,13 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
         with_signs(&text("verdict"))
     );
     if above {
-        out += &legend(page.plots);
+        out += &legend(&plots);
     }
     out += &figures(&charts, &pictures);
     let points = page.summary["points"].as_u64().unwrap_or(0) as usize;
     out += &points_table(page, points);
     if !page.reasons.is_empty() {
-        let reasons = page.reasons.iter().map(|reason| format!("<li>{}</li>\n", escaped(reason)));
+        let reasons = page.reasons.iter().map(|reason| format!("<li>{}</li>\n", with_signs(&escaped(reason))));
         out += &format!("<h3>Without an answer</h3>\n<ul>\n{}</ul>\n", reasons.collect::<String>());
     }
     out += &format!(
@@ -66,6 +67,14 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
         escaped(page.resolved)
     );
     out + &end(&json!({ "charts": charts, "run_in": null }))
+}
+
+/// A plot whose title and whose names, values of axes as they were typed, have the signs of units.
+fn with_signs_of_units(plot: &LinePlot) -> LinePlot {
+    let mut plot = plot.clone();
+    plot.title = title_with_signs(&plot.title);
+    plot.series.iter_mut().for_each(|series| series.name = title_with_signs(&series.name));
+    plot
 }
 
 /// Names that find room inside a chart, and letters of the longest of them: a third of its width.
@@ -98,11 +107,11 @@ fn legend(plots: &[LinePlot]) -> String {
 /// The points with their main figures.
 fn points_table(page: &SweepPage<'_>, points: usize) -> String {
     let mut out = String::from("<h2>Points</h2>\n<div class=\"wide\"><table>\n<tr>");
-    out.extend(page.names.iter().map(|name| format!("<th>{}</th>", escaped(name))));
+    out.extend(page.names.iter().map(|name| format!("<th>{}</th>", with_signs(&escaped(name)))));
     out += "</tr>\n";
     for row in page.rows {
         out += "<tr>";
-        out.extend(row.iter().map(|cell| format!("<td class=\"number\">{}</td>", escaped(cell))));
+        out.extend(row.iter().map(|cell| format!("<td class=\"number\">{}</td>", title_with_signs(&escaped(cell)))));
         out += "</tr>\n";
     }
     out += "</table></div>\n";

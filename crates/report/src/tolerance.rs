@@ -12,8 +12,8 @@ pub(crate) fn tolerance(entries: &Value) -> String {
     let Some(tightest) = entries.iter().filter_map(|e| number(e, "within_10_percent_um")).reduce(f64::min) else {
         return String::new();
     };
-    let mut out = "<h2>Tolerance</h2>\n<div class=\"wide\"><table>\n<tr><th>error of the shape</th><th>keeps the pressure within 10 %, um</th>\
-                   <th>1 um changes it by, %</th><th>rms, %</th><th>worn to 1/e after, mm</th></tr>\n"
+    let mut out = "<h2>Tolerance</h2>\n<div class=\"wide\"><table>\n<tr><th>error of the shape</th><th>keeps the pressure within 10 %, &micro;m</th>\
+                   <th>1 &micro;m changes it by, %</th><th>rms, %</th><th>worn to 1/e after, mm</th></tr>\n"
         .to_string();
     for entry in entries {
         let cell = |key: &str, factor: f64| number(entry, key).map_or("-".into(), |value| brief(factor * value));
@@ -27,7 +27,7 @@ pub(crate) fn tolerance(entries: &Value) -> String {
         );
     }
     out + &format!(
-        "</table></div>\n<p>An error of &plusmn;{} um keeps the pressure within 10 % of its mean, whichever of these it is. In proportion \
+        "</table></div>\n<p>An error of &plusmn;{} &micro;m keeps the pressure within 10 % of its mean, whichever of these it is. In proportion \
          to the error, over the inner 95 % of the surface; L is its length. Errors that the free motions of body 1 take up \
          are left out.</p>\n",
         brief(tightest)

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use report::Track;
-use scene::Fault;
+use scene::{Fault, Kinematics};
 use serde_json::{Value, json};
 use wearshape::{Options, Problem};
 
@@ -27,11 +27,12 @@ pub(crate) fn solve(engine: &mut Engine, problem: Problem, coarse: bool) -> Resu
         ControlFlow::Continue(())
     })?;
     let summary = report::summary(&problem, &solution);
+    let revolved = problem.scene().kinematics == Some(Kinematics::Axisymmetric);
     let answer = json!({
         "curves": report::curves(&problem, &solution),
         "glance": report::glance(&summary),
-        "tables": report::tables(&summary),
-        "running_in": solution.running_in.as_ref().and_then(report::run_in),
+        "tables": report::tables(&summary, revolved),
+        "running_in": solution.running_in.as_ref().and_then(|run| report::run_in(run, revolved)),
         "summary": summary,
         "seconds": outside::seconds() - start,
     });
