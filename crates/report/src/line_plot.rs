@@ -283,6 +283,19 @@ struct Legend {
     beside: bool,
 }
 
+/// Pixels of a curve, about every four of them: a line between points far apart is drawn as well.
+fn dense(points: &[(f64, f64)], place: &impl Fn((f64, f64)) -> (f64, f64)) -> Vec<(f64, f64)> {
+    // What a logarithmic axis cannot show has no place.
+    let places: Vec<(f64, f64)> =
+        points.iter().map(|point| place(*point)).filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    let between = |pair: &[(f64, f64)]| {
+        let [(ax, ay), (bx, by)] = [pair[0], pair[1]];
+        let count = ((bx - ax).hypot(by - ay) / 4.0).ceil() as usize;
+        (1..count).map(move |k| k as f64 / count as f64).map(move |t| (ax + t * (bx - ax), ay + t * (by - ay)))
+    };
+    places.windows(2).flat_map(between).chain(places.iter().copied()).collect()
+}
+
 /// Names that still find room in a corner.
 const NAMES_INSIDE: usize = 6;
 
@@ -293,12 +306,12 @@ impl Legend {
         let height = 10.0 + 19.0 * series.len() as f64;
         let (right, bottom) = (WIDTH - RIGHT - width - 6.0, HEIGHT - BOTTOM - height - 6.0);
         let corners = [[right, TOP + 6.0], [LEFT + 8.0, TOP + 6.0], [right, bottom], [LEFT + 8.0, bottom]];
+        let drawn: Vec<(f64, f64)> = series.iter().flat_map(|series| dense(&series.points, place)).collect();
         let touched = |[left, top]: &[f64; 2]| {
-            let within = |point: &&(f64, f64)| {
-                let (px, py) = place(**point);
-                px > left - 6.0 && px < left + width + 6.0 && py > top - 6.0 && py < top + height + 6.0
+            let within = |(px, py): &&(f64, f64)| {
+                *px > left - 6.0 && *px < left + width + 6.0 && *py > top - 6.0 && *py < top + height + 6.0
             };
-            series.iter().flat_map(|series| &series.points).filter(within).count()
+            drawn.iter().filter(within).count()
         };
         let free = corners.into_iter().find(|corner| touched(corner) == 0);
         let [left, top] = free.unwrap_or(corners[0]);
@@ -329,5 +342,27 @@ impl Legend {
             );
         }
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HEIGHT, Legend, Series, WIDTH};
+
+    fn named(points: Vec<(f64, f64)>) -> Series {
+        Series { name: "a name".into(), points, marks: true, dashed: false }
+    }
+
+    #[test]
+    fn names_stand_in_a_corner_that_no_line_between_points_crosses() {
+        let place = |point: (f64, f64)| (WIDTH * point.0, HEIGHT * (1.0 - point.1));
+        let rising = [named(vec![(0.12, 0.2), (0.95, 0.85)]), named(vec![(0.12, 0.2), (0.95, 0.5)])];
+        let legend = Legend::new(&rising, &place);
+        assert!(!legend.beside && legend.left < 0.2 * WIDTH, "no point lies there, and yet the line does: {}", legend.left);
+        let crossed = [named(vec![(0.12, 0.2), (0.95, 0.85)]), named(vec![(0.12, 0.85), (0.95, 0.2)])];
+        assert!(Legend::new(&crossed, &place).beside);
+        // What has no place on a logarithmic axis is not in the way.
+        let infinite = [named(vec![(0.12, f64::NEG_INFINITY), (0.2, 0.5)])];
+        assert!(!Legend::new(&infinite, &place).beside);
     }
 }

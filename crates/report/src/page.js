@@ -47,12 +47,38 @@
     if (old) old.remove();
     let L = 76;
 
-    // Width of the longest of some texts in a class of the page, and the size of its letters.
+    // Width of the longest of some texts in a class of the page, the size of its letters, and the width of each.
     function measure(texts, name) {
       const text = make("text", { class: name }, svg), widths = texts.map(t => { text.textContent = t; return text.getComputedTextLength(); });
       const size = parseFloat(getComputedStyle(text).fontSize) || 13;
       text.remove();
-      return [Math.max(0, ...widths), size];
+      return [Math.max(0, ...widths), size, widths];
+    }
+    // Where the names of curves stand: in a corner that nothing drawn touches, else in rows above the curves, which are let down by `room`.
+    function places(shown, px, py, taken) {
+      const [longest, size, widths] = measure(shown.map(s => s.name), "tip"), row = 1.4 * size;
+      const width = 40 + longest, height = row * shown.length + 0.4 * size;
+      const corners = [[W - R - width - 4, T], [L + 6, T], [W - R - width - 4, H - B - height - 4], [L + 6, H - B - height - 4]];
+      const drawn = taken.slice();
+      for (const s of shown) {
+        let last = null;
+        s.x.forEach((x, i) => {
+          if (up(s.y[i]) === null || x < view[0] || x > view[1]) { last = null; return; }
+          const [a, b] = [px(x), py(s.y[i])], count = last ? Math.max(1, Math.ceil(Math.hypot(a - last[0], b - last[1]) / 4)) : 1;
+          for (let k = 1; k <= count; k++) drawn.push(last ? [last[0] + (a - last[0]) * k / count, last[1] + (b - last[1]) * k / count] : [a, b]);
+          last = [a, b];
+        });
+      }
+      const free = ([left, top]) => !drawn.some(([x, y]) => x > left - 6 && x < left + width + 6 && y > top - 6 && y < top + height + 6);
+      const corner = chart.names_in_rows ? undefined : corners.find(free);
+      if (corner) return { room: 0, size, at: shown.map((_, n) => [corner[0], corner[1] + row * (n + 1)]) };
+      let [x, line] = [L + 6, 1];
+      const at = widths.map(wide => {
+        if (x > L + 6 && x + 40 + wide > W - R) { x = L + 6; line += 1; }
+        x += 52 + wide;
+        return [x - 52 - wide, T + row * line - 0.4 * size];
+      });
+      return { room: row * line + 0.2 * size, size, at };
     }
 
     function render() {
@@ -72,12 +98,16 @@
       const [widest, letter] = measure(rows.map(label), "axis");
       L = Math.max(76, widest + 12 + 1.7 * letter);
       const px = x => L + (along(x) - along(view[0])) / (along(view[1]) - along(view[0])) * (W - L - R);
-      const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - T - B);
-      for (const zone of chart.zones || []) {
-        const a = Math.max(view[0], zone.from), b = Math.min(view[1], zone.to);
-        if (b <= a) continue;
-        make("rect", { class: "zone", x: px(a), y: T, width: px(b) - px(a), height: H - T - B }, svg);
-        make("text", { class: "axis", x: (px(a) + px(b)) / 2, y: H - B - 8, "text-anchor": "middle" }, svg, zone.name);
+      let top = T;
+      const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - top - B);
+      const note = chart.note && whole ? chart.note : "", seen_zones = (chart.zones || []).map(z => [Math.max(view[0], z.from), Math.min(view[1], z.to), z.name]).filter(([a, b]) => b > a);
+      const taken = seen_zones.map(([a, b]) => [(px(a) + px(b)) / 2, H - B - 12]).concat(note ? Array.from({ length: 1 + measure([note], "axis")[0] / 10 }, (_, i) => [L + 8 + 10 * i, T + 0.6 * letter]) : []);
+      const named = chart.series.length <= 6 && !chart.names_above ? chart.series.filter(s => s.name) : [];
+      const names = named.length ? places(named, px, py, taken) : { room: 0 };
+      top += names.room;
+      for (const [a, b, name] of seen_zones) {
+        make("rect", { class: "zone", x: px(a), y: top, width: px(b) - px(a), height: H - top - B }, svg);
+        make("text", { class: "axis", x: (px(a) + px(b)) / 2, y: H - B - 8, "text-anchor": "middle" }, svg, name);
       }
       const decades = () => {
         const [a, b] = [Math.ceil(Math.log10(view[0]) - 1e-9), Math.floor(Math.log10(view[1]) + 1e-9)];
@@ -85,17 +115,16 @@
         return Array.from({ length: Math.max(0, Math.floor((b - a) / step) + 1) }, (_, i) => Math.pow(10, a + i * step));
       };
       for (const t of chart.log_x ? decades() : ticks(view[0], view[1], 7)) {
-        make("path", { class: "grid", d: `M${px(t)} ${T}V${H - B}` }, svg);
+        make("path", { class: "grid", d: `M${px(t)} ${top}V${H - B}` }, svg);
         make("text", { class: "axis", x: px(t), y: H - B + 8 + 0.8 * letter, "text-anchor": "middle" }, svg, label(t));
       }
       for (const t of rows) {
         make("path", { class: "grid", d: `M${L} ${py(t)}H${W - R}` }, svg);
         make("text", { class: "axis", x: L - 8, y: py(t) + 0.34 * letter, "text-anchor": "end" }, svg, label(t));
       }
-      make("path", { class: "frame", d: `M${L} ${T}V${H - B}H${W - R}` }, svg);
+      make("path", { class: "frame", d: `M${L} ${top}V${H - B}H${W - R}` }, svg);
       make("text", { class: "axis", x: (L + W - R) / 2, y: H - 8, "text-anchor": "middle" }, svg, chart.x_label);
-      make("text", { class: "axis", transform: `translate(16 ${(T + H - B) / 2}) rotate(-90)`, "text-anchor": "middle" }, svg, chart.y_label);
-      const [legend, size] = measure(chart.series.map(s => s.name), "tip"), row = 1.4 * size;
+      make("text", { class: "axis", transform: `translate(16 ${(top + H - B) / 2}) rotate(-90)`, "text-anchor": "middle" }, svg, chart.y_label);
       chart.series.forEach((s, n) => {
         let d = "", pen = false;
         s.x.forEach((x, i) => {
@@ -104,13 +133,12 @@
           d += (pen ? "L" : "M") + px(x).toFixed(2) + " " + py(s.y[i]).toFixed(2); pen = true;
         });
         make("path", { d, fill: "none", stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-linejoin": "round", "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
-        if (s.name && chart.series.length <= 6 && !chart.names_above) {
-          const from = W - R - 40 - legend;
-          make("path", { d: `M${from} ${T + row * (n + 1) - 0.34 * size}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
-          make("text", { class: "tip", x: from + 30, y: T + row * (n + 1) }, svg, s.name);
-        }
+        const [x, y] = (names.at || [])[named.indexOf(s)] || [];
+        if (x === undefined) return;
+        make("path", { d: `M${x} ${y - 0.34 * names.size}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
+        make("text", { class: "tip", x: x + 30, y }, svg, s.name);
       });
-      if (chart.note && whole) make("text", { class: "axis", x: L + 8, y: T + letter }, svg, chart.note);
+      if (note) make("text", { class: "axis", x: L + 8, y: top + letter }, svg, note);
       const over = make("g", {}, svg);
       const inverse = event => {
         const box = svg.getBoundingClientRect();
@@ -122,7 +150,7 @@
         const x = inverse(event);
         if (drag !== null) {
           const [a, b] = [Math.max(view[0], Math.min(drag, x)), Math.min(view[1], Math.max(drag, x))];
-          if (b > a) make("rect", { class: "drag", x: px(a), y: T, width: px(b) - px(a), height: H - T - B }, over);
+          if (b > a) make("rect", { class: "drag", x: px(a), y: top, width: px(b) - px(a), height: H - top - B }, over);
           return;
         }
         if (x < view[0] || x > view[1]) return;
@@ -134,12 +162,12 @@
         });
         if (!found.length) return;
         const at = px(found[0][0].x[found[0][2]]);
-        make("path", { class: "cross", d: `M${at} ${T}V${H - B}` }, over);
+        make("path", { class: "cross", d: `M${at} ${top}V${H - B}` }, over);
         const lines = found.map(([s, n, i]) => `${s.name ? s.name + ": " : ""}${show(s.y[i])} at ${show(s.x[i])}`);
         found.forEach(([s, n, i]) => make("circle", { cx: px(s.x[i]), cy: py(s.y[i]), r: 4, fill: COLOURS[n % 7] }, over));
-        const width = 16 + measure(lines, "tip")[0], left = Math.min(at + 10, W - R - width);
-        make("rect", { class: "tipbox", x: left, y: T + 4, width, height: 10 + row * lines.length }, over);
-        lines.forEach((line, i) => make("text", { class: "tip", x: left + 8, y: T + 4 + row * (i + 1) }, over, line));
+        const [longest, size] = measure(lines, "tip"), row = 1.4 * size, width = 16 + longest, left = Math.min(at + 10, W - R - width);
+        make("rect", { class: "tipbox", x: left, y: top + 4, width, height: 10 + row * lines.length }, over);
+        lines.forEach((line, i) => make("text", { class: "tip", x: left + 8, y: top + 4 + row * (i + 1) }, over, line));
       };
       svg.onpointerleave = () => { drag = null; over.replaceChildren(); };
       // A finger reads and scrolls; a mouse may mark a part to zoom into.
@@ -162,7 +190,7 @@
       // One axis for all steps; what a spike would take from the rest is cut off and said.
       const { top, note } = run_in[key + "_axis"], y_range = [0, top || 1];
       const start = { name: "start", dashed: true, x: run_in.x, y: run_in[key][0] };
-      const chart = { title: label, x_label: run_in.x_label, y_label: label, y_range, note, series: [{ name: "now", dashed: false, x: run_in.x, y: run_in[key][0] }, start] };
+      const chart = { title: label, x_label: run_in.x_label, y_label: label, y_range, note, names_in_rows: true, series: [{ name: "now", dashed: false, x: run_in.x, y: run_in[key][0] }, start] };
       return { key, chart, render: draw(document.getElementById("run-in-" + key), chart) };
     });
     function show_step() {
