@@ -6,6 +6,7 @@ use scene::SurfaceShape;
 use wearshape::Problem;
 
 use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
+use crate::labels::shown_title;
 use crate::sheet::{Sheet, into_sheet};
 
 /// Closed line around the origin; angles from the x axis.
@@ -40,8 +41,9 @@ pub(crate) fn bare_drawing(problem: &Problem) -> String {
         // Angles of shoes and shells are measured from the z axis towards +x.
         Some(SurfaceShape::PinnedShoe(shoe)) => {
             let arc = ring(shoe.radius.0, FRAC_PI_2 - shoe.from.0, FRAC_PI_2 - shoe.to.0);
-            let mut sheet = round(shoe.radius.0, &arc, omega);
-            dot(&mut sheet, [0.0, shoe.pin_distance.0], "pin");
+            let pin = [0.0, shoe.pin_distance.0];
+            let mut sheet = round(Round { radius: shoe.radius.0, wall: WALL * shoe.radius.0, beyond: pin }, &arc, omega);
+            dot(&mut sheet, pin, "pin");
             // The actuator pushes at its arm from the pin, on the side of the lining, towards the drum.
             let side = (0.5 * (shoe.from.0 + shoe.to.0)).sin().signum();
             let [x, y] = sheet.at([0.0, shoe.pin_distance.0 - shoe.arm.0]);
@@ -50,21 +52,24 @@ pub(crate) fn bare_drawing(problem: &Problem) -> String {
         }
         Some(SurfaceShape::PivotedShoe(shoe)) => {
             let arc = ring(shoe.radius.0, FRAC_PI_2 + shoe.half_angle.0, FRAC_PI_2 - shoe.half_angle.0);
-            let mut sheet = round(shoe.radius.0, &arc, omega);
-            let pivot = shoe.pivot.map_or(0.0, |pivot| pivot.0);
-            dot(&mut sheet, [0.0, pivot], "pivot");
+            let pivot = [0.0, shoe.pivot.map_or(0.0, |pivot| pivot.0)];
+            let mut sheet = round(Round { radius: shoe.radius.0, wall: 0.0, beyond: pivot }, &arc, omega);
+            dot(&mut sheet, pivot, "pivot");
+            // The load acts on the pivot, towards the drum.
+            let [x, y] = sheet.at(pivot);
+            sheet.arrow([x, y - 44.0], [x, y - 9.0], LOADED);
             sheet
         }
         Some(SurfaceShape::JournalArc(shell)) => {
             let arc = ring(shell.radius.0, FRAC_PI_2 + shell.half_angle.0, FRAC_PI_2 - shell.half_angle.0);
-            let mut sheet = round(shell.radius.0, &arc, omega);
+            let mut sheet = round(Round { radius: shell.radius.0, wall: 0.0, beyond: [0.0; 2] }, &arc, omega);
             let [x, y] = sheet.at([0.0, shell.radius.0]);
             sheet.arrow([x, y - 44.0], [x, y - 6.0], LOADED);
             sheet
         }
         None => Sheet::new([[0.0; 2], [1.0; 2]].into_iter()),
     };
-    sheet.picture(problem.title(), &legend(problem))
+    sheet.picture(&shown_title(problem), &legend(problem))
 }
 
 /// A surface in plan view on what lies under it.
@@ -104,12 +109,28 @@ fn pressed(sheet: &mut Sheet, place: [f64; 2]) {
     sheet.sign(&into_sheet([x, y], 9.0, LOADED));
 }
 
+/// Thickness of a drum that is drawn around its shoe, over its radius: it has none in the scene.
+const WALL: f64 = 0.1;
+
+/// A drum or a shaft.
+struct Round {
+    /// Radius of the surface that slides.
+    radius: f64,
+    /// Thickness of what lies around that surface; 0 where it is the outside of a disc.
+    wall: f64,
+    /// A place that the sheet shows as well.
+    beyond: [f64; 2],
+}
+
 /// A drum or a shaft with an arc of contact on it.
-fn round(radius: f64, arc: &[[f64; 2]], sense: f64) -> Sheet {
-    let whole = ring(radius, 0.0, TAU);
-    let mut sheet = Sheet::new(whole.iter().copied());
-    sheet.area(std::slice::from_ref(&whole), FILLS[1][0]);
-    sheet.line(&whole, "#555", 1.2, "");
+fn round(Round { radius, wall, beyond }: Round, arc: &[[f64; 2]], sense: f64) -> Sheet {
+    let mut lines = vec![ring(radius, 0.0, TAU)];
+    if wall > 0.0 {
+        lines.push(ring(radius + wall, 0.0, TAU));
+    }
+    let mut sheet = Sheet::new(lines.iter().flatten().copied().chain([beyond]));
+    sheet.area(&lines, FILLS[1][0]);
+    lines.iter().for_each(|line| sheet.line(line, "#555", 1.2, ""));
     sheet.line(arc, TOUCHES, 7.0, "");
     sheet.turning([0.0; 2], 0.55 * radius, 0.7 * PI * sense, SLIDES);
     sheet

@@ -9,8 +9,10 @@ use crate::bare_drawing::bare_drawing;
 use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
 use crate::edge_places::along;
 use crate::heat_drawing::heated;
+use crate::labels::shown_title;
 use crate::sheet::Sheet;
 use crate::support_drawing::{is_near, pin, roller};
+use crate::support_label::SupportLabel;
 
 /// Least distance of two arrows side by side (pixels).
 const ROOM: f64 = 14.0;
@@ -49,14 +51,11 @@ pub fn drawing(problem: &Problem) -> String {
     if let Some([first, _]) = edges {
         bodies[0].edge(first).iter().for_each(|line| sheet.line(line, TOUCHES, 4.0, ""));
     }
+    let mut labels = Vec::new();
     for (body, outline) in [&scene.body1, &scene.body2].into_iter().zip(&bodies) {
         let held = body.iter().flat_map(|body| &body.support);
-        let pressed = scene.load.as_ref().and_then(|load| load.edge.as_deref());
         held.for_each(|(edge, held)| match held {
-            Support::Components(components) => {
-                let aside = outline == &bodies[0] && pressed == Some(edge.as_str());
-                support(&mut sheet, outline, (edge, components), aside);
-            }
+            Support::Components(components) => labels.push(support(&mut sheet, outline, edge, components)),
             Support::Pin(at) => pin(&mut sheet, outline, edge, at.map(|x| x.0), !near.is_empty()),
             Support::Roller(angle) => {
                 let lines = outline.edge(edge).to_vec();
@@ -70,7 +69,9 @@ pub fn drawing(problem: &Problem) -> String {
     }
     sliding(&mut sheet, scene, &bodies[1]);
     heated(&mut sheet, scene, &bodies);
-    sheet.picture(problem.title(), &legend(problem))
+    // Last, beside all that is drawn.
+    labels.iter().for_each(|label| label.put(&mut sheet));
+    sheet.picture(&shown_title(problem), &legend(problem))
 }
 
 /// The axis of revolution.
@@ -81,41 +82,20 @@ fn axis(sheet: &mut Sheet, bodies: &[BodyOutline; 2]) {
     sheet.line(&[[0.0, low - beyond], [0.0, high + beyond]], "#777", 1.2, "14 4 3 4");
 }
 
-/// A held edge: hatched, with the held directions beside it, at its end where the load stands on its middle.
-fn support(sheet: &mut Sheet, body: &BodyOutline, (edge, held): (&str, &[Component]), aside: bool) {
+/// A held edge: hatched; returns the held directions, which are written where there is room for them.
+fn support(sheet: &mut Sheet, body: &BodyOutline, edge: &str, held: &[Component]) -> SupportLabel {
     let lines = body.edge(edge).to_vec();
     lines.iter().for_each(|line| sheet.line(line, "#333", 2.0, ""));
     let places = along(sheet, body, &lines, 11.0);
     for (place, out) in &places {
         sheet.hatch(&[*place], out.unwrap_or([1.0, 0.0]));
     }
-    let words: Vec<&str> = held
-        .iter()
-        .map(|component| match component {
-            Component::X => "x",
-            Component::Z => "z",
-            Component::Phi => "\u{3c6}",
-        })
-        .collect();
-    let at = if aside { 0 } else { places.len() / 2 };
-    if let Some(([x, y], out)) = places.get(at) {
-        let [dx, dy] = if aside { [-1.0, 0.0] } else { out.unwrap_or([1.0, 0.0]) };
-        // Beside a line within the body the words stand on its colour.
-        let class = if out.is_none() { " class=\"on\"" } else { "" };
-        let anchor = if dx > 0.5 {
-            "start"
-        } else if dx < -0.5 {
-            "end"
-        } else {
-            "middle"
-        };
-        sheet.sign(&format!(
-            "<text{class} x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text>\n",
-            x + 17.0 * dx,
-            y + 20.0 * dy + 5.0,
-            words.join(", ")
-        ));
-    }
+    let word = |component: &Component| match component {
+        Component::X => "x",
+        Component::Z => "z",
+        Component::Phi => "\u{3c6}",
+    };
+    SupportLabel { text: held.iter().map(word).collect::<Vec<_>>().join(", "), places }
 }
 
 /// The load on its edge of body 1.

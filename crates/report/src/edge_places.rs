@@ -2,17 +2,11 @@
 
 use wearshape::BodyOutline;
 
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, is_within};
 
 /// Whether a place lies in a body.
-fn within(body: &BodyOutline, [x, z]: [f64; 2]) -> bool {
-    body.areas.iter().any(|area| {
-        let crossings = |line: &Vec<[f64; 2]>| {
-            let ends = line.iter().zip(line.iter().cycle().skip(1));
-            ends.filter(|(a, b)| (a[1] > z) != (b[1] > z) && x < a[0] + (z - a[1]) / (b[1] - a[1]) * (b[0] - a[0])).count()
-        };
-        area.loops.iter().map(crossings).sum::<usize>() % 2 == 1
-    })
+fn within(body: &BodyOutline, place: [f64; 2]) -> bool {
+    body.areas.iter().any(|area| is_within(&area.loops, place))
 }
 
 /// Points along lines about every so many pixels, with the unit normal out of the body, in pixels; none for the normal within it.

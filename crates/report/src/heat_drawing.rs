@@ -49,6 +49,7 @@ fn carried(sheet: &mut Sheet, heat: &EdgeHeat, [x, y]: [f64; 2], out: [f64; 2]) 
             .collect();
         let path = points.join("L");
         sheet.sign(&format!("<path d=\"M{path}\" fill=\"none\" stroke=\"{HEATS}\" stroke-width=\"1.6\"/>\n"));
+        sheet.take(at(3.0, 0.0), at(19.0, 0.0));
         sheet.arrow(at(19.0, 0.0), at(27.0, 0.0), HEATS);
     }
     match heat.flux.map(|flux| flux.0) {

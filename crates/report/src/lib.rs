@@ -39,6 +39,7 @@ mod shape_words;
 mod sheet;
 mod summary;
 mod support_drawing;
+mod support_label;
 mod sweep_page;
 mod table;
 mod terminal;

@@ -36,7 +36,25 @@ pub(crate) struct Sheet {
     scale: f64,
     left: f64,
     body: String,
+    /// Points of what is drawn in lines, from which words stay away (pixels).
+    taken: Vec<[f64; 2]>,
+    /// The lines around the areas, an area each, and its holes (pixels).
+    areas: Vec<Vec<Vec<[f64; 2]>>>,
 }
+
+/// A part of the sheet (pixels).
+#[derive(Clone, Copy)]
+pub(crate) struct SheetBox {
+    pub(crate) middle: [f64; 2],
+    /// Half its width and its height.
+    pub(crate) half: [f64; 2],
+}
+
+/// Distance of the points that stand for a line, and how far words stay away from them to the sides and up and down (pixels).
+const STEP: f64 = 3.0;
+const APART: [f64; 2] = [9.0, 3.0];
+/// Room below the drawing, above the legend.
+const BELOW: f64 = 31.0;
 
 impl Sheet {
     /// A sheet that shows all of some points (mm).
@@ -46,7 +64,7 @@ impl Sheet {
         });
         let scale = (ROOM[0] / (high[0] - low[0])).min(ROOM[1] / (high[1] - low[1]));
         let left = 0.5 * (WIDTH - scale * (high[0] - low[0]));
-        Sheet { low, high, scale, left, body: String::new() }
+        Sheet { low, high, scale, left, body: String::new(), taken: Vec::new(), areas: Vec::new() }
     }
 
     /// Pixels of a place in mm; the title is not counted.
@@ -63,6 +81,7 @@ impl Sheet {
     pub(crate) fn area(&mut self, loops: &[Vec<[f64; 2]>], fill: &str) {
         // Areas that share a side are drawn one by one; a hole is a line within another of the same area.
         let path: String = loops.iter().map(|line| self.path(line, true)).collect();
+        self.areas.push(loops.iter().map(|line| line.iter().map(|p| self.at(*p)).collect()).collect());
         self.body +=
             &format!("<path d=\"{path}\" fill=\"{fill}\" fill-rule=\"evenodd\" stroke=\"{fill}\" stroke-width=\"0.6\"/>\n");
     }
@@ -71,12 +90,42 @@ impl Sheet {
     pub(crate) fn line(&mut self, points: &[[f64; 2]], colour: &str, width: f64, dash: &str) {
         let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
         let path = self.path(points, false);
+        points.windows(2).for_each(|pair| self.take(self.at(pair[0]), self.at(pair[1])));
         self.body += &format!("<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"{dash}/>\n");
     }
 
     /// An arrow between pixels.
     pub(crate) fn arrow(&mut self, from: [f64; 2], to: [f64; 2], colour: &str) {
+        self.take(from, to);
+        let [left, right] = head_corners(from, to);
+        self.take(left, right);
         self.body += &arrow(from, to, colour);
+    }
+
+    /// Keeps words away from a line between pixels.
+    pub(crate) fn take(&mut self, from: [f64; 2], to: [f64; 2]) {
+        let count = ((to[0] - from[0]).hypot(to[1] - from[1]) / STEP).ceil().max(1.0) as usize;
+        let at = |k: usize| [0, 1].map(|c| from[c] + (to[c] - from[c]) * k as f64 / count as f64);
+        self.taken.extend((0..=count).map(at));
+    }
+
+    /// Keeps words away from others.
+    pub(crate) fn take_box(&mut self, SheetBox { middle: [x, y], half: [wide, high] }: SheetBox) {
+        [-high, 0.0, high].into_iter().for_each(|off| self.take([x - wide, y + off], [x + wide, y + off]));
+    }
+
+    /// Whether a place (pixels) lies on an area.
+    pub(crate) fn is_on_area(&self, place: [f64; 2]) -> bool {
+        self.areas.iter().any(|loops| is_within(loops, place))
+    }
+
+    /// How much is drawn where words would stand; more than all of it beyond the sheet.
+    pub(crate) fn crowd(&self, SheetBox { middle, half }: SheetBox) -> usize {
+        let bottom = self.at(self.low)[1] + BELOW;
+        let beyond =
+            middle[0] - half[0] < 0.0 || middle[0] + half[0] > WIDTH || middle[1] - half[1] < 0.0 || middle[1] + half[1] > bottom;
+        let near = |point: &&[f64; 2]| (0..2).all(|k| (point[k] - middle[k]).abs() < half[k] + APART[k]);
+        self.taken.iter().filter(near).count() + if beyond { self.taken.len() + 1 } else { 0 }
     }
 
     /// An arc with a head, anti-clockwise for a sweep greater than 0, about a centre in mm with a radius in mm.
@@ -99,13 +148,10 @@ impl Sheet {
 
     /// A short hatch at pixels, away from the body along a unit vector.
     pub(crate) fn hatch(&mut self, points: &[[f64; 2]], out: [f64; 2]) {
-        let strokes: String = points
-            .iter()
-            .map(|[x, y]| {
-                let along = [-out[1], out[0]];
-                format!("M{x:.1} {y:.1}l{:.1} {:.1}", 9.0 * out[0] - 6.0 * along[0], 9.0 * out[1] - 6.0 * along[1])
-            })
-            .collect();
+        let along = [-out[1], out[0]];
+        let [right, down] = [0, 1].map(|k| 9.0 * out[k] - 6.0 * along[k]);
+        points.iter().for_each(|[x, y]| self.take([*x, *y], [x + right, y + down]));
+        let strokes: String = points.iter().map(|[x, y]| format!("M{x:.1} {y:.1}l{right:.1} {down:.1}")).collect();
         self.body += &format!("<path class=\"ink\" d=\"{strokes}\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.2\"/>\n");
     }
 
@@ -145,6 +191,15 @@ impl Sheet {
     }
 }
 
+/// Whether a place lies within closed lines by the rule of even and odd.
+pub(crate) fn is_within(loops: &[Vec<[f64; 2]>], [x, z]: [f64; 2]) -> bool {
+    let crossings = |line: &Vec<[f64; 2]>| {
+        let ends = line.iter().zip(line.iter().cycle().skip(1));
+        ends.filter(|(a, b)| (a[1] > z) != (b[1] > z) && x < a[0] + (z - a[1]) / (b[1] - a[1]) * (b[0] - a[0])).count()
+    };
+    loops.iter().map(crossings).sum::<usize>() % 2 == 1
+}
+
 /// A mark before a line of the legend.
 fn drawn(mark: &Mark, y: f64) -> String {
     match mark {
@@ -182,11 +237,21 @@ fn arrow(from: [f64; 2], to: [f64; 2], colour: &str) -> String {
 
 /// The head of an arrow that ends at the second point.
 fn head(from: [f64; 2], to: [f64; 2], colour: &str) -> String {
-    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-    let length = dx.hypot(dy).max(1e-9);
-    let [ux, uy] = [dx / length, dy / length];
-    let corner = |side: f64| [to[0] - 10.0 * ux - 4.5 * side * uy, to[1] - 10.0 * uy + 4.5 * side * ux];
-    let ([a, b], [c, d]) = (corner(1.0), corner(-1.0));
+    let [ux, uy] = along(from, to);
+    let [[a, b], [c, d]] = head_corners(from, to);
     let tip = [to[0] + ux, to[1] + uy];
     format!("<path d=\"M{:.1} {:.1}L{a:.1} {b:.1}L{c:.1} {d:.1}Z\" fill=\"{colour}\"/>\n", tip[0], tip[1])
+}
+
+/// The corners of a head on both sides of its line.
+fn head_corners(from: [f64; 2], to: [f64; 2]) -> [[f64; 2]; 2] {
+    let [ux, uy] = along(from, to);
+    [1.0, -1.0].map(|side| [to[0] - 10.0 * ux - 4.5 * side * uy, to[1] - 10.0 * uy + 4.5 * side * ux])
+}
+
+/// The unit vector from a point to another.
+fn along(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = dx.hypot(dy).max(1e-9);
+    [dx / length, dy / length]
 }

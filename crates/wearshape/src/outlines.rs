@@ -43,11 +43,39 @@ impl BodyOutline {
         };
         if revolved {
             let loops = all.areas.iter_mut().flat_map(|area| &mut area.loops);
-            let lines = all.edges.iter_mut().flat_map(|(_, lines)| lines);
-            loops.chain(&mut all.borders).chain(lines).flatten().for_each(|point| point[0] = point[0].max(0.0));
+            loops.flatten().for_each(|point| point[0] = point[0].max(0.0));
+            // Edges and borders end at the axis, along which nothing touches and nothing is held.
+            for lines in all.edges.iter_mut().map(|(_, lines)| lines).chain([&mut all.borders]) {
+                *lines = lines.iter().flat_map(|line| beyond_the_axis(line)).collect();
+            }
         }
         all
     }
+}
+
+/// The parts of a line with r >= 0, cut where it crosses the axis.
+fn beyond_the_axis(line: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+    let mut parts: Vec<Vec<[f64; 2]>> = Vec::new();
+    let mut open = false;
+    for pair in line.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        let cut = || [0.0, a[1] - a[0] * (b[1] - a[1]) / (b[0] - a[0])];
+        let [from, to] = match (a[0] >= 0.0, b[0] >= 0.0) {
+            (true, true) => [a, b],
+            (true, false) if a[0] > 0.0 => [a, cut()],
+            (false, true) if b[0] > 0.0 => [cut(), b],
+            (true, false) | (false, true) | (false, false) => {
+                open = false;
+                continue;
+            }
+        };
+        match parts.last_mut().filter(|_| open) {
+            Some(part) => part.push(to),
+            None => parts.push(vec![from, to]),
+        }
+        open = b[0] >= 0.0;
+    }
+    parts
 }
 
 fn of_template(body: &Body) -> BodyOutline {
@@ -149,7 +177,7 @@ fn drawn(curve: &Curve) -> Vec<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use super::{chained, circle, line};
+    use super::{beyond_the_axis, chained, circle, line};
 
     #[test]
     fn an_arc_passes_through_its_middle_point_and_a_ring_is_whole() {
@@ -160,6 +188,18 @@ mod tests {
         let ring = line(&[[-1.0, 0.0], [0.0, 1.0], [1.0, 0.0]], true);
         assert!(ring.iter().any(|p| p[1] < -0.99) && ring.iter().any(|p| p[1] > 0.99));
         assert_eq!(circle([0.0, 0.0], [1.0, 1.0], [2.0, 2.0]), None);
+    }
+
+    #[test]
+    fn lines_of_bodies_of_revolution_end_at_the_axis() {
+        let ball = line(&[[-5.0, 5.0], [0.0, 0.0], [5.0, 5.0]], false);
+        let parts = beyond_the_axis(&ball);
+        let [arc] = parts.as_slice() else { panic!("{parts:?}") };
+        assert!(arc.iter().all(|p| (p[0].hypot(p[1] - 5.0) - 5.0).abs() < 1e-12), "no part of it is the axis: {arc:?}");
+        assert!(arc[0][0].abs() < 1e-12 && arc.last().is_some_and(|p| (p[0] - 5.0).abs() < 1e-12));
+        assert_eq!(beyond_the_axis(&[[-1.0, 2.0], [3.0, 6.0], [-1.0, 10.0]]), [[[0.0, 3.0], [3.0, 6.0], [0.0, 9.0]]]);
+        assert_eq!(beyond_the_axis(&[[0.0, 2.0], [0.0, 6.0]]), [[[0.0, 2.0], [0.0, 6.0]]]);
+        assert!(beyond_the_axis(&[[-1.0, 2.0], [0.0, 6.0]]).is_empty());
     }
 
     #[test]
