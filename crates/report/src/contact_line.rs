@@ -22,6 +22,13 @@ impl<'a> ContactLine<'a> {
         (1.0 - share) * self.values[row] + share * self.values[row + 1]
     }
 
+    /// The value at the nearest point of the line, beyond its ends that of the end.
+    pub(crate) fn nearest_value(&self, place: [f64; 2]) -> f64 {
+        let (row, share, _) = self.nearest(place);
+        let share = share.clamp(0.0, 1.0);
+        (1.0 - share) * self.values[row] + share * self.values[row + 1]
+    }
+
     /// The nearest piece by its first point, the share along it, below 0 and above 1 beyond the ends of the line, and the distance.
     pub(crate) fn nearest(&self, place: [f64; 2]) -> (usize, f64, f64) {
         let mut best = (0, 0.0, f64::INFINITY);

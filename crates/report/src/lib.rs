@@ -31,6 +31,7 @@ mod page_tables;
 mod path_csv;
 mod path_curves;
 mod place;
+mod pressure_words;
 mod reach;
 mod round_off;
 mod run_in;

@@ -12,7 +12,8 @@ use crate::brief::brief;
 use crate::heat_line::heat_line;
 use crate::missed;
 use crate::place::place;
-use crate::verdict::{pressures, verdict};
+use crate::pressure_words::pressures;
+use crate::verdict::verdict;
 
 /// Columns of a terminal, of the names of lines, and of the longest phrase that is kept together.
 const WIDTH: usize = 80;
@@ -90,7 +91,7 @@ fn folded(line: &str, indent: usize) -> Vec<String> {
 fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> Vec<String> {
     let machined = solution.as_machined.as_ref().map(|machined| &machined.curve);
     let curve = machined.or(solution.curve.as_ref()).or(solution.profile.as_ref());
-    let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
+    let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve, pressure));
     let spread = solution.reversing.as_ref().map(|reversing| both_senses(problem, reversing)).or(spread);
     let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", brief(mean))).unwrap_or_default();
     let lines_of = [Some(spread.unwrap_or(mean)), kind(pressure)];

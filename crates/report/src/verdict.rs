@@ -1,18 +1,19 @@
 //! One sentence that says how a run ended.
 
 use scene::{Functional, with_short_numbers};
-use wearshape::{
-    Character, ContactResult, PressureResult, Problem, Profile, Regime, Solution, Status, WearResult, functional_row,
-};
+use wearshape::{Character, ContactResult, PressureResult, Problem, Regime, Solution, Status, WearResult, functional_row};
 
 use crate::brief::brief;
-use crate::place::place;
+use crate::pressure_words::{extremes, pressures};
 use crate::shape_words::taken_off;
 
 /// How it ended: the reason it stopped, or the number that was asked for.
 pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     if let Some(reason) = &solution.reason {
         return stopped(solution.status, reason);
+    }
+    if solution.status == Status::Interrupted {
+        return interrupted(problem, solution);
     }
     if solution.shape.is_some() {
         return machine(problem, solution);
@@ -25,7 +26,6 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     }
     match &solution.pressure {
         Some(pressure) => pressed(problem, solution, pressure),
-        None if solution.status == Status::Interrupted => "Interrupted before there was a result.".into(),
         None => "Nothing was asked for.".into(),
     }
 }
@@ -39,6 +39,35 @@ fn stopped(status: Status, reason: &str) -> String {
         Status::Interrupted => "Interrupted",
     };
     format!("{head}: {}.", with_short_numbers(reason))
+}
+
+const EARLY: &str = "Interrupted before the accuracy was reached";
+
+/// What is known of a run that was stopped on the way, after what it lacks.
+fn interrupted(problem: &Problem, solution: &Solution) -> String {
+    let known = solution.error.as_ref().and_then(|error| error.gap_relative);
+    let off = known.map_or("how far it is off is not known".into(), |error| format!("it is off by about {error:.0e}, relative"));
+    if let Some(wear) = &solution.wear {
+        // Of a level that was finished before.
+        return format!("{EARLY}. So far: {}; {off}.", worn(problem, solution, wear).trim_end_matches('.'));
+    }
+    if let Some(shape) = &solution.shape {
+        let words = taken_off(problem, solution).unwrap_or_default();
+        return match shape.roundtrip_independent.or(shape.roundtrip_same) {
+            Some(_) => {
+                format!("Interrupted after the shape was found and before the run in time was done. The shape: {words}; {off}.")
+            }
+            None => format!("{EARLY}. The shape so far, which is not proved: {words}; {off}."),
+        };
+    }
+    if let Some(contact) = &solution.contact {
+        return format!("{EARLY}. So far: {}; {off}.", touching(contact).trim_end_matches('.'));
+    }
+    match &solution.pressure {
+        // It needs no mesh: what was stopped came after it.
+        Some(pressure) => format!("Interrupted after the pressure was found. {}", pressed(problem, solution, pressure)),
+        None => "Interrupted before there was a result.".into(),
+    }
 }
 
 fn machine(problem: &Problem, solution: &Solution) -> String {
@@ -120,7 +149,7 @@ fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) ->
     }
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
     let on_plane = extremes(solution, pressure);
-    let numbers = on_plane.or_else(|| curve.and_then(|curve| pressures(problem, curve))).unwrap_or_default();
+    let numbers = on_plane.or_else(|| curve.and_then(|curve| pressures(problem, curve, pressure))).unwrap_or_default();
     let kind = if pressure.character == Some(Character::Maximum) { ", the worst case" } else { "" };
     let cap = if is_capped(problem, pressure) { ", held down by optimum.p_max," } else { "" };
     format!("{what}{cap} is {numbers}{kind}.")
@@ -133,52 +162,4 @@ const AT_CAP: f64 = 1e-9;
 fn is_capped(problem: &Problem, pressure: &PressureResult) -> bool {
     let cap = problem.scene().optimum.as_ref().and_then(|optimum| optimum.p_max);
     cap.zip(pressure.p_max).is_some_and(|(cap, most)| most >= cap.0 * (1.0 - AT_CAP))
-}
-
-/// The largest and the smallest pressure of a surface of two dimensions, which no cut shows.
-pub(crate) fn extremes(solution: &Solution, pressure: &PressureResult) -> Option<String> {
-    let map = solution.map.as_ref()?;
-    let (most, least) = (pressure.p_max?, pressure.p_min?);
-    let seen = solution.curve.as_ref()?.pressure.iter().copied().fold(0.0, f64::max);
-    if seen >= most * (1.0 - 1e-6) {
-        return None;
-    }
-    let lowest = extreme(&map.pressure, |a, b| a < b * (1.0 - 1e-9))?;
-    let Some([x, y, _]) = pressure.p_max_at.filter(|_| most - least > 1e-9 * most) else {
-        return Some(format!("{} MPa everywhere", brief(most)));
-    };
-    let round = |x: f64| if x.abs() < 1e-6 * map.position[0][0].hypot(map.position[0][1]) { 0.0 } else { x };
-    let at = |[x, y]: [f64; 2]| format!("x = {}, y = {} mm", brief(round(x)), brief(round(y)));
-    Some(format!("{} MPa at {}, {} MPa at {}", brief(most), at([x, y]), brief(least), at(map.position[lowest])))
-}
-
-fn extreme(values: &[f64], better: fn(f64, f64) -> bool) -> Option<usize> {
-    let mut best: Option<usize> = None;
-    for (row, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
-        if best.is_none_or(|best| better(*value, values[best])) {
-            best = Some(row);
-        }
-    }
-    best
-}
-
-/// "5.45455 MPa at 0 deg, 4.09091 MPa at -30 deg".
-pub(crate) fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
-    let infinite = profile.pressure.iter().position(|pressure| *pressure == f64::INFINITY);
-    let high = infinite.or_else(|| extreme(&profile.pressure, |a, b| a > b * (1.0 + 1e-9)))?;
-    let low = extreme(&profile.pressure, |a, b| a < b * (1.0 - 1e-9))?;
-    let (top, bottom) = (profile.pressure[high], profile.pressure[low]);
-    if top.is_finite() && top - bottom <= 1e-9 * top {
-        return Some(format!("{} MPa everywhere", brief(top)));
-    }
-    let at = |row: usize| {
-        let mirrored = profile.pressure[profile.pressure.len() - 1 - row];
-        let s = profile.s[row];
-        let reach = profile.s.iter().fold(0.0f64, |most, s| most.max(s.abs()));
-        let even = s < -1e-9 * reach && (mirrored - profile.pressure[row]).abs() <= 1e-9 * top;
-        let word = place(problem, s);
-        if even { word.replacen('-', "+-", 1) } else { word }
-    };
-    let most = if top.is_finite() { format!("{} MPa", brief(top)) } else { "infinite".to_string() };
-    Some(format!("{most} at {}, {} MPa at {}", at(high), brief(bottom), at(low)))
 }

@@ -215,6 +215,55 @@ fn a_surface_of_two_dimensions_says_its_largest_pressure_and_has_a_map() {
 }
 
 #[test]
+fn an_extreme_pressure_is_said_to_be_where_it_is() {
+    let verdict = |name: &str| {
+        let (problem, solution) = bare(name);
+        report::summary(&problem, &solution)["verdict"].as_str().unwrap().to_string()
+    };
+    assert!(verdict("pinned-shoe").contains("1 MPa at 90 deg, 0 MPa at 0 deg"), "{}", verdict("pinned-shoe"));
+    assert!(verdict("journal-arc").contains("1.405 MPa at 19.88 deg, "), "{}", verdict("journal-arc"));
+    assert!(verdict("pivoted-shoe").contains("at 0 deg, 0.5501 MPa at +-45 deg"), "{}", verdict("pivoted-shoe"));
+    // The smallest pressure of an ellipse lies between the points of its map, that of a rectangle in a corner.
+    assert!(verdict("elliptic-punch").contains("y = -9.805 mm, at least 2.059 MPa."), "{}", verdict("elliptic-punch"));
+    assert!(verdict("rectangular-punch").contains(", 1.562 MPa at x = -30, y = 20 mm"), "{}", verdict("rectangular-punch"));
+}
+
+/// A built-in scene with some settings, stopped when so many levels have begun.
+fn stopped(name: &str, settings: &[&str], levels: usize) -> (Problem, Solution) {
+    let settings: Vec<String> = settings.iter().map(ToString::to_string).collect();
+    let document = Document::read(&format!("{name}.toml"), builtin(name).unwrap().text, &settings).unwrap();
+    let problem = Problem::new(&document, &|file| Err(format!("there is no file {file}"))).unwrap();
+    let mut events = 0;
+    let mut until = |_: Event<'_>| {
+        events += 1;
+        if events < levels { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let solution = wearshape::solve(&problem, &Options::default(), &Bodies::default(), &mut until).unwrap();
+    assert_eq!(solution.status, wearshape::Status::Interrupted);
+    (problem, solution)
+}
+
+#[test]
+fn an_interrupted_run_promises_nothing() {
+    let said = |name: &str, settings: &[&str], levels: usize| {
+        let (problem, solution) = stopped(name, settings, levels);
+        report::summary(&problem, &solution)["verdict"].as_str().unwrap().to_string()
+    };
+    for levels in 1..=3 {
+        let verdict = said("drum-brake-block", &[], levels);
+        assert!(verdict.starts_with("Interrupted ") && !verdict.contains("Machine"), "{verdict}");
+        assert!(!verdict.contains("starts worn in"), "{verdict}");
+    }
+    let shape = said("drum-brake-block", &[], 2);
+    assert!(shape.contains("which is not proved: ") && shape.contains("how far it is off is not known"), "{shape}");
+    let contact = said("knee", &[], 2);
+    assert!(contact.starts_with("Interrupted before the accuracy was reached. So far: The bodies touch"), "{contact}");
+    let wear = said("punch-wear", &[], 90);
+    assert!(wear.starts_with("Interrupted before the accuracy was reached. So far: Worn in"), "{wear}");
+    assert!(wear.contains("how far it is off is not known"), "{wear}");
+}
+
+#[test]
 fn a_run_whose_wear_stops_at_the_threshold_is_not_called_worn_in() {
     let said = |threshold: &str| {
         let settings = ["mesh.degree=4", "wear.b=1", "wear.until=steady", "contact.shear=false", threshold].map(String::from);
@@ -241,7 +290,18 @@ fn every_built_in_scene_can_be_drawn_before_it_is_computed() {
             scene.name
         );
         assert!(drawing.contains("load: "), "{}", scene.name);
+        // The arrow of the legend and at least one in the drawing.
+        assert!(drawing.matches("stroke=\"#a3267c\"").count() > 1, "{}", scene.name);
     }
+}
+
+#[test]
+fn a_ball_touches_with_its_surface_and_not_with_the_axis_of_revolution() {
+    let document = Document::read("hertz-sphere.toml", builtin("hertz-sphere").unwrap().text, &[]).unwrap();
+    let problem = Problem::new(&document, &|file| Err(format!("there is no file {file}"))).unwrap();
+    let [ball, _] = problem.outlines().unwrap();
+    let on_the_axis = ball.edge("arc").iter().flat_map(|line| line.iter()).filter(|point| point[0] <= 0.0).count();
+    assert!(on_the_axis <= 1 && ball.edge("arc")[0].len() > 20, "{:?}", ball.edge("arc"));
 }
 
 #[test]
