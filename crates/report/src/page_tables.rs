@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::brief::brief;
 use crate::escape::escaped;
-use crate::labels::{by_radius, label, label_of_mean, word_explained};
+use crate::labels::{by_radius, label, label_of_mean, with_signs, word_explained};
 use crate::one_percent::one_percent;
 use crate::round_off::without_round_off;
 use crate::summary::numbers;
@@ -70,7 +70,7 @@ pub(crate) fn stages(summary: &Value) -> String {
             "<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n",
             escaped(stage["name"].as_str().unwrap_or("")),
             if stage["ran"].as_bool() == Some(true) { "yes" } else { "left out" },
-            escaped(stage["because"].as_str().unwrap_or(""))
+            with_signs(&escaped(stage["because"].as_str().unwrap_or("")))
         );
     }
     out + "</table></div>\n"

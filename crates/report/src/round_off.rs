@@ -52,17 +52,25 @@ fn add_places(part: &Value, places: &mut Vec<f64>) {
     }
 }
 
+/// Keys of the coordinates of a place that has a part of its own.
+const COORDINATES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
 /// Puts 0 for what is nothing against its size.
 fn cleared(part: &mut Map<String, Value>, sizes: &Sizes) {
+    let far = COORDINATES.iter().filter_map(|key| part.get(*key)?.as_f64()).map(f64::abs).fold(0.0, f64::max);
     for (key, value) in part.iter_mut() {
-        if let Some(fields) = value.as_object_mut() {
+        if COORDINATES.contains(&key.as_str()) {
+            clear(value, NOWHERE * far);
+        } else if let Some(fields) = value.as_object_mut() {
             match key.as_str() {
                 "feed" | "multipliers" => clear_motion(fields, sizes.length),
                 _ => cleared(fields, sizes),
             }
-        } else if let Some(place) = value.as_array_mut().filter(|_| key.ends_with("_at_mm")) {
-            let far = place.iter().filter_map(Value::as_f64).map(f64::abs).fold(0.0, f64::max);
-            place.iter_mut().for_each(|coordinate| clear(coordinate, NOWHERE * far));
+        } else if let Some(items) = value.as_array_mut() {
+            let far = items.iter().filter_map(Value::as_f64).map(f64::abs).fold(0.0, f64::max);
+            let least = if key.ends_with("_at_mm") { NOWHERE * far } else { 0.0 };
+            items.iter_mut().for_each(|item| clear(item, least));
+            items.iter_mut().filter_map(Value::as_object_mut).for_each(|item| cleared(item, sizes));
         } else if key.ends_with("_N") {
             clear(value, NOTHING * sizes.force);
         } else if key.ends_with("_Nmm") && (key.contains("moment") || key.contains("torque")) {
@@ -103,6 +111,7 @@ mod tests {
             "energy": { "body1_Nmm": 1e-12 },
             "pressure": {
                 "p_max_MPa": 2.5, "p_min_MPa": 2.4, "p_max_at_mm": [150.0, 0.0, 2.697e-6],
+                "limit_measure": [{ "x_mm": 3.0, "y_mm": 1e-15, "z_mm": 0.5, "force_N": 7.0 }],
                 "feed": { "force": 1e-7, "side_force": 1e-20, "moment": -5.7e-24 },
             },
             "error": { "ends_mm": [1e-9] },
@@ -111,6 +120,7 @@ mod tests {
         assert_eq!([&shown["contact"]["moment_Nmm"], &shown["reactions"]["body1.inner"]["x_N"]], [&json!(0.0), &json!(0.0)]);
         assert_eq!(shown["reactions"]["body1.inner"]["moment_Nmm"], 0.0, "1e-9 of 1000 N times 150 mm is more");
         assert_eq!(shown["pressure"]["p_max_at_mm"], json!([150.0, 0.0, 0.0]));
+        assert_eq!(shown["pressure"]["limit_measure"][0], json!({ "x_mm": 3.0, "y_mm": 0.0, "z_mm": 0.5, "force_N": 7.0 }));
         assert_eq!(shown["pressure"]["feed"], json!({ "force": 1e-7, "side_force": 0.0, "moment": 0.0 }));
         for (part, key) in [("energy", "body1_Nmm"), ("contact", "approach_mm"), ("contact", "force_N"), ("error", "ends_mm")] {
             assert_eq!(shown[part][key], summary[part][key], "{part}.{key}");

@@ -98,7 +98,10 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     let said: Vec<String> = lines_of.into_iter().flatten().filter(|text| !text.is_empty()).collect();
     let mut lines = if said.is_empty() { Vec::new() } else { vec![format!("pressure  {}", said.join("; "))] };
     for atom in pressure.limit_measure.iter().take(3) {
-        let [force, x, y, z] = [atom.force, atom.x, atom.y, atom.z].map(brief);
+        let far = [atom.x, atom.y, atom.z].into_iter().map(f64::abs).fold(0.0, f64::max);
+        // Round-off of a place is shown as the 0 that it stands for.
+        let [x, y, z] = [atom.x, atom.y, atom.z].map(|x| brief(if x.abs() < 1e-9 * far { 0.0 } else { x }));
+        let force = brief(atom.force);
         lines.push(format!("          {force} N at x = {x}, y = {y}, z = {z} mm"));
     }
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());

@@ -22,12 +22,16 @@ const FIGURES: [(&str, &[&str]); 13] = [
     ("friction mW", &["pressure.friction_power_mW"]),
     ("p mean MPa", &["pressure.p_mean_MPa"]),
     ("volume mm^3", &["wear.volume_mm3"]),
-    ("force N", &["contact.force_N", "pressure.force_N"]),
-    ("moment N mm", &["contact.moment_Nmm", "pressure.moment_Nmm"]),
+    ("force N", &FORCES),
+    (MOMENT, &["contact.moment_Nmm", "pressure.moment_Nmm"]),
 ];
 /// The largest pressure, and its name where it is that of the mean of both directions of a motion.
 const LARGEST: &str = "p max MPa";
 const LARGEST_OF_MEAN: &str = "p max of mean MPa";
+/// The moment, and the forces that it is measured by: below this share of a force over a millimetre it is round-off.
+const MOMENT: &str = "moment N mm";
+const FORCES: [&str; 2] = ["contact.force_N", "pressure.force_N"];
+const NOTHING: f64 = 1e-9;
 /// The figure of which the size alone matters.
 const ERROR: &str = "error";
 const STATUS: &str = "status";
@@ -68,6 +72,7 @@ impl Figures {
             let figures = known.iter().map(|(name, keys)| match figure(row, keys) {
                 None => "-".to_string(),
                 Some(value) if *name == ERROR => format!("{value:.0e}"),
+                Some(value) if *name == MOMENT && value.abs() < NOTHING * figure(row, &FORCES).unwrap_or(0.0) => "0".to_string(),
                 Some(value) => scene::short(value),
             });
             grid.label(point).into_iter().chain(figures).chain(failed.then(|| word(row, "status"))).collect()
