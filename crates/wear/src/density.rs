@@ -1,6 +1,7 @@
 //! The pointwise law of a stationary pressure: log p as a function of log f and log v.
 
 use crate::condition::Condition;
+use crate::log_sum::log_sum;
 
 /// Solution of the stationarity condition (17) at a point, up to a common factor for `Power` and `Mixed`.
 #[derive(Clone, Debug)]
@@ -100,10 +101,4 @@ impl Density {
 /// exponent * log v with 0 * (-inf) = 0.
 fn times(exponent: f64, log_speed: f64) -> f64 {
     if exponent == 0.0 { 0.0 } else { exponent * log_speed }
-}
-
-/// log(exp(a) + exp(b)) without overflow.
-pub(crate) fn log_sum(terms: [f64; 2]) -> f64 {
-    let (hi, lo) = if terms[0] >= terms[1] { (terms[0], terms[1]) } else { (terms[1], terms[0]) };
-    if lo == f64::NEG_INFINITY || hi == f64::INFINITY { hi } else { hi + (lo - hi).exp().ln_1p() }
 }

@@ -20,6 +20,7 @@ mod groove;
 mod invert;
 mod law;
 mod lines;
+mod log_sum;
 mod mode;
 mod motion;
 mod newton;

@@ -3,7 +3,7 @@
 //! Up to a threshold the asperities give way elastically and nothing is taken off; beyond it wear goes with the excess. Powers of the rate are
 //! convex functionals from q b = 1 on ("Under a threshold" in README).
 
-use crate::density::log_sum;
+use crate::log_sum::log_sum;
 use crate::{WearError, WearLaw};
 
 /// Wear rule of one body with a threshold: the power law of the excess `p - p0` where that is positive, else no wear.

@@ -244,17 +244,14 @@ impl Setting<'_> {
 
     /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
     fn result(&self, level: Level, trial: &Trial, positioned: Positioned, mut effort: Effort) -> Result<Solved, Refusal> {
-        let Positioned { nodes, parts, bodies, mut held } = positioned;
-        if let Some(sheared) = &mut held.sheared {
-            sheared.states = self.states(&held.points, &nodes, trial.shift);
-        }
+        let Positioned { nodes, parts, bodies, held } = positioned;
         let pair = facing(&bodies)?;
         let operator = ContactOperator::with(&pair, Arc::clone(&held.unit));
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
         (self.options.begun)(Step::Contact);
         let start = (self.options.clock)();
         let mut on = operator.held_on(&held.pressed.closed);
-        let (found, load) = self.solved(&mut on, &gap, &held)?;
+        let (found, load) = self.solved(&mut on, &gap, (&held, &self.states(&held.points, &nodes, trial.shift)))?;
         let embedded = self.embedded(&operator, &gap, &load, &found)?;
         let interface = diagnosis::condition(on.singular_values(&gap, &load, &found).map_err(unsolved)?);
         effort.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
@@ -307,15 +304,23 @@ impl Setting<'_> {
         Ok(solved)
     }
 
-    /// The last load step with its conditions of sign, and its load.
-    fn solved(&self, on: &mut HeldContact<'_, '_>, gap: &[f64], held: &Steps) -> Result<(ContactSolution, ContactLoad), Fault> {
+    /// The last load step with its conditions of sign, from states that are expected of it, and its load.
+    fn solved(
+        &self,
+        on: &mut HeldContact<'_, '_>,
+        gap: &[f64],
+        (held, expected): (&Steps, &[ContactState]),
+    ) -> Result<(ContactSolution, ContactLoad), Fault> {
         let pressed = on.released(gap, &self.press(), &held.pressed).map_err(unsolved)?;
         if self.shear == 0.0 {
             return Ok((pressed, self.press()));
         }
         let push = self.push(&pressed.slip);
-        let start = held.sheared.as_ref().unwrap_or(&pressed);
-        Ok((on.released(gap, &push, start).map_err(unsolved)?, push))
+        let mut start = held.sheared.clone().unwrap_or(pressed);
+        if held.sheared.is_some() {
+            start.states = expected.to_vec();
+        }
+        Ok((on.released(gap, &push, &start).map_err(unsolved)?, push))
     }
 
     /// Error of the pressure as the embedded degree tells it, on a fixed discretisation.
