@@ -248,6 +248,9 @@ pub(crate) struct ReproduceArgs {
     /// List the items.
     #[arg(long)]
     pub(crate) list: bool,
+    /// Number of threads; default all.
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
     /// Print one JSON document on stdout.
     #[arg(long)]
     pub(crate) json: bool,

@@ -4,7 +4,7 @@ use rayon::ThreadPool;
 use scene::{Fault, Place};
 use wearshape::{Options, Sampling};
 
-use crate::args::{Common, Points};
+use crate::args::Points;
 use crate::clock::seconds;
 
 /// The options that reach the solver.
@@ -32,8 +32,8 @@ impl Threads {
 }
 
 /// The threads to work on, before anything is written.
-pub(crate) fn threads(common: &Common) -> Result<Threads, Fault> {
-    let Some(threads) = common.threads else {
+pub(crate) fn threads(asked: Option<usize>) -> Result<Threads, Fault> {
+    let Some(threads) = asked else {
         return Ok(Threads(None));
     };
     let wrong = |message: String| Fault {

@@ -66,11 +66,8 @@ pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
         mark(&mut value, number);
         displace(tree, &path);
         open(tree, &path, number);
-        put(tree, &path, Node { value, origin: Origin::Flag(number) }, number).map_err(|parent| {
-            wrong(
-                format!("--set {setting}: `{parent}` is a value, not a table"),
-                &format!("set `{parent}` itself, or a key that exists"),
-            )
+        put(tree, &path, Node { value, origin: Origin::Flag(number) }, number).map_err(|(parent, what)| {
+            wrong(format!("--set {setting}: `{parent}` is {what}"), &format!("set `{parent}` itself, or a key that exists"))
         })?;
     }
     Ok(())
@@ -241,15 +238,19 @@ fn retain(tree: &mut Node, parents: &[&str], keep: impl Fn(&str) -> bool) {
     }
 }
 
-/// Puts a node under a path, making tables on the way. An error names the parent that is no table.
-fn put(tree: &mut Node, path: &[&str], node: Node, number: usize) -> Result<(), String> {
+/// Puts a node under a path, making tables on the way. An error names the parent that has no such place, and says what it is.
+fn put(tree: &mut Node, path: &[&str], node: Node, number: usize) -> Result<(), (String, String)> {
     let mut at = tree;
     for (depth, key) in path.iter().enumerate() {
         let parent = path[..depth].join(".");
         at = match &mut at.value {
             Value::List(items) => {
+                let what = match items.len() {
+                    0 => "an empty list".to_string(),
+                    long => format!("a list with the places 0 to {}", long - 1),
+                };
                 let item = key.parse::<usize>().ok().and_then(|place| items.get_mut(place));
-                item.ok_or(parent)?
+                item.ok_or((parent, what))?
             }
             Value::Table(entries) => {
                 let place = entries.iter().position(|entry| entry.key == *key).unwrap_or_else(|| {
@@ -263,7 +264,7 @@ fn put(tree: &mut Node, path: &[&str], node: Node, number: usize) -> Result<(), 
                 }
                 &mut entries[place].node
             }
-            _ => return Err(parent),
+            _ => return Err((parent, "a value, not a table".into())),
         };
     }
     *at = node;

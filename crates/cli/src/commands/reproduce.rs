@@ -11,6 +11,7 @@ use crate::args::{Common, ReproduceArgs};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
+use crate::options::threads;
 use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
@@ -25,11 +26,13 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<Exit, Fault> {
         }
     };
     let root = PathBuf::from("out").join("reproduce");
-    let outcome = if name == "all" {
-        every(args, &args.output.clone().unwrap_or(root))
-    } else {
-        single(args, find(name)?, &args.output.clone().unwrap_or_else(|| root.join(name)))
-    };
+    let outcome = threads(args.threads)?.install(|| {
+        if name == "all" {
+            every(args, &args.output.clone().unwrap_or(root))
+        } else {
+            single(args, find(name)?, &args.output.clone().unwrap_or_else(|| root.join(name)))
+        }
+    });
     // A run that Ctrl-C has cut short is a fault of its item; nothing is wrong with it.
     if outcome.is_err() && interrupt::asked() {
         talk(&format!(

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         dry_run(common, (&problem, &bodies), &target, &progress);
         return Ok(Exit::Done);
     }
-    let threads = threads(common)?;
+    let threads = threads(common.threads)?;
     interrupt::listen();
     let resolved = problem.resolved();
     let wanted = target;

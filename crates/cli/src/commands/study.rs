@@ -93,7 +93,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     if !common.quiet {
         unused(&document, args).iter().for_each(|what| talk(what));
     }
-    let threads = threads(common)?;
+    let threads = threads(common.threads)?;
     interrupt::listen();
     let folder = Folder::begin(&target, &problem.resolved(), false)?;
     let truth = against.truth.take();

@@ -79,7 +79,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let base = base_units(&source, &grid, &common.set);
     let extras = curves::extras(&first.scene, &grid);
     let sweep = Sweep { args, source, grid, base, options, extras, bodies: Bodies::default() };
-    let threads = threads(common)?;
+    let threads = threads(common.threads)?;
     interrupt::listen();
     let (folder, mark) = sweep.begin(&target, &first)?;
     let mut rows = sweep.finished(&folder)?;

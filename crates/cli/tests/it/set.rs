@@ -95,6 +95,7 @@ fn an_error_in_a_setting_names_the_flag() {
         ("tasks=[presure]", "unknown word `presure`"),
         ("load.force=ten", "not a force"),
         ("thickness.x=3", "is a value, not a table"),
+        ("wear.beta.2=1e-4", "`wear.beta` is a list with the places 0 to 1"),
         ("thickness", "has no `=`"),
         ("=3", "key is empty"),
         ("contact.friction=-1", "negative friction"),
