@@ -84,7 +84,7 @@ impl Border {
 }
 
 impl HalfSolved {
-    /// Adds their compliance, `loads x loads`, to one that is symmetric, which it stays to the bit.
+    /// Adds their compliance, `loads x loads` (mm/N of loads of 1 N), to one that is symmetric, which it stays to the bit.
     ///
     /// # Panics
     /// Where the sum is of another size.
@@ -95,7 +95,7 @@ impl HalfSolved {
         }
     }
 
-    /// Adds what these loads are moved along by others on the same body, `these x others`.
+    /// Adds what these loads are moved along by others on the same body, `these x others` (mm/N of loads of 1 N).
     ///
     /// # Panics
     /// Where the sum is of another size, or the others are of another body.

@@ -35,6 +35,12 @@ pub(crate) fn without_round_off(summary: &Value) -> Value {
     shown
 }
 
+/// A place as it is shown, without the digits of coordinates that are nothing.
+pub(crate) fn shown_place(place: [f64; 3]) -> [f64; 3] {
+    let far = place.into_iter().map(f64::abs).fold(0.0, f64::max);
+    place.map(|x| if x.abs() < NOWHERE * far { 0.0 } else { x })
+}
+
 /// Whether a key is that of places.
 fn is_place(key: &str) -> bool {
     ["_at_mm", "_where_mm", "ends_mm"].iter().any(|end| key.ends_with(end))

@@ -13,6 +13,7 @@ use crate::heat_line::heat_line;
 use crate::missed;
 use crate::place::place;
 use crate::pressure_words::pressures;
+use crate::round_off::shown_place;
 use crate::verdict::verdict;
 
 /// Columns of a terminal, of the names of lines, and of the longest phrase that is kept together.
@@ -98,9 +99,7 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     let said: Vec<String> = lines_of.into_iter().flatten().filter(|text| !text.is_empty()).collect();
     let mut lines = if said.is_empty() { Vec::new() } else { vec![format!("pressure  {}", said.join("; "))] };
     for atom in pressure.limit_measure.iter().take(3) {
-        let far = [atom.x, atom.y, atom.z].into_iter().map(f64::abs).fold(0.0, f64::max);
-        // Round-off of a place is shown as the 0 that it stands for.
-        let [x, y, z] = [atom.x, atom.y, atom.z].map(|x| brief(if x.abs() < 1e-9 * far { 0.0 } else { x }));
+        let [x, y, z] = shown_place([atom.x, atom.y, atom.z]).map(brief);
         let force = brief(atom.force);
         lines.push(format!("          {force} N at x = {x}, y = {y}, z = {z} mm"));
     }

@@ -137,8 +137,8 @@ impl Setting<'_> {
         push
     }
 
-    /// States of the points between given ends of stick, shifted as a whole, and of contact. The nodes on the ends are the points nearest to them, and the others stand
-    /// before or after them in order: distances do not tell points apart that lie closer than round-off of the lengths.
+    /// States of the points between given ends of stick, shifted as a whole, and of contact. The nodes on the ends are the points nearest to them, and the
+    /// others stand before or after them in order: distances do not tell points apart that lie closer than round-off of the lengths.
     fn states(&self, points: &[ContactPoint], nodes: &[f64], shift: f64) -> Vec<ContactState> {
         let slip = if self.shear > 0.0 { ContactState::Backward } else { ContactState::Forward };
         let within = |node: f64, shift: f64| {

@@ -175,3 +175,23 @@ fn a_knee_wears_by_other_rules_too() {
         assert!(to > 1.0 && (from + to).abs() < 1e-6 * to, "{rule:?}: {from} {to}");
     }
 }
+
+/// What is counted is the level that is reported, not the search for where the contact ends.
+#[test]
+fn the_sizes_of_a_worn_bush_are_those_of_its_level() {
+    let unknowns = |degree: &str| solved(&worn(&["wear.until=60", degree])).effort.counters.dofs;
+    let [rough, fine] = ["mesh.degree=5", "mesh.degree=7"].map(unknowns);
+    assert!(rough > 0 && 2 * fine > 3 * rough, "{rough} {fine}");
+}
+
+/// Beyond the ends of the contact the surface keeps what it was worn when it was widest, with a kink there: without a node at it this is 1.1e-3.
+#[test]
+fn a_contact_that_shrinks_leaves_the_edge_of_its_widest_scar() {
+    let falling = ["wear.k=1e-9", "wear.until=1200", "schedule={time=[0,600],force=[1,0.3]}"];
+    let run = |mesh: &str| solved(&worn(&[&falling[..], &[mesh]].concat())).curve.unwrap();
+    let [rough, fine] = ["mesh={degree=8,layers=4}", "mesh={degree=12,layers=4}"].map(run);
+    let largest = fine.gap.iter().fold(0.0_f64, |most, gap| most.max(*gap));
+    let off = rough.gap.iter().zip(&fine.gap).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest;
+    println!("off {off:.1e}");
+    assert!(off < 6e-4, "{off:e}");
+}

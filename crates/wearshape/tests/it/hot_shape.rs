@@ -342,3 +342,15 @@ fn factorised_temperatures_count_as_factorisations() {
         assert_eq!(solution.effort.counters.factorisations, count, "{name} {fields}");
     }
 }
+
+/// Nothing that a factor can be told from: the search for the speed at which surfaces part once had no end.
+#[test]
+fn a_friction_that_makes_next_to_no_heat_has_no_limits_of_speed() {
+    let solution = solved(&scene("clutch-hot", &["contact.friction=1e-320", "accuracy=1e-3"]));
+    assert!(solution.reason.is_none(), "{:?}", solution.reason);
+    let heat = solution.heat.unwrap();
+    println!("{:?} {:?}", heat.separation_speed_factor, heat.staggered_limit_speed_factor);
+    for factor in [heat.separation_speed_factor, heat.staggered_limit_speed_factor] {
+        assert_eq!(serde_json::to_value(factor).unwrap(), "none");
+    }
+}
