@@ -121,6 +121,21 @@ fn levels(height: f64, width: f64, least: usize, contact: Side) -> Vec<f64> {
     if matches!(contact, Side::Top) { from_contact.rev().map(|level| 1.0 - level).collect() } else { from_contact.collect() }
 }
 
+/// Width of the cells that their height goes by, over that of the narrowest, where contact ends on their surface.
+const BESIDE_ENDS: f64 = 1.5;
+/// The same over that of the widest, at least: cells of the other body may leave splinters.
+const LEAST_WIDTH: f64 = 0.25;
+
+/// The width of cells on the contact surface that their height goes by. Beside ends of contact the fields change over the distance from these in depth too:
+/// cells that are high beside the narrowest leave a hundred times its error.
+fn width_for_height(cuts: &[f64], cut: Cut<'_>) -> f64 {
+    if cut.ends().is_empty() {
+        return widest(cuts);
+    }
+    let narrowest = cuts.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+    (BESIDE_ENDS * narrowest.max(LEAST_WIDTH * widest(cuts))).min(widest(cuts))
+}
+
 fn shoe_block(couple: &Couple, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (radius, angle, top) = (shoe.radius.0, shoe.half_angle.0, shoe.top.0);
     let (x, z) = (radius * angle.sin(), radius * angle.cos());
@@ -139,7 +154,7 @@ fn shoe_block(couple: &Couple, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> 
     // A top that turns about a pin or runs on a roller is graded towards its ends.
     let guided = couple.moves_one_way() && couple.bodies[0].supports.contains_key("top");
     let breaks = parameters(cuts, [-angle, angle]);
-    let width = radius * widest(cuts);
+    let width = radius * width_for_height(cuts, cut);
     let bottom = arc([0.0; 2], radius, [-angle, angle]);
     let free = cut.ends().iter().map(|t| bottom.point(*t)).collect();
     let mesh = Mesh::ruled(&Ruled {
@@ -228,6 +243,8 @@ struct OnRing {
     cuts: Vec<f64>,
     /// Ends of contact.
     ends: Vec<f64>,
+    /// Width of cells on the surface that their height goes by.
+    width: f64,
     /// Whether the surface that may touch ends at corners of the other body.
     graded: bool,
 }
@@ -243,18 +260,18 @@ impl OnRing {
         let cuts = own(&mut cuts.iter().copied());
         let ends = own(&mut cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)));
         let graded = !touches_all_around(&couple.bodies[0]) && !matches!(extent, Extent::Convex { .. });
-        OnRing { cuts, ends: if number == 0 { ends } else { Vec::new() }, graded }
+        let width = width_for_height(&cuts, cut);
+        OnRing { cuts, width, ends: if number == 0 { ends } else { Vec::new() }, graded }
     }
 }
 
 fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result<Coarse, hpfem::Error> {
-    let OnRing { cuts, ends, graded } = on;
+    let OnRing { cuts, ends, width, graded } = on;
     let (inner, outer) = (ring.inner.0, ring.outer.0);
     let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
     let (from, to) = (cuts[0], cuts[cuts.len() - 1]);
     let turn = std::f64::consts::TAU;
     // Outside the contact: cells as wide as inside next to it, then wider.
-    let widest = widest(cuts);
     let contact_edge = couple.bodies[number].contact.as_str();
     let step = (cuts[1] - cuts[0]).min(0.25 * (turn - (to - from)));
     let rest = growing(to, from + turn, step, std::f64::consts::FRAC_PI_3);
@@ -279,7 +296,7 @@ fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result
         bottom,
         top,
         breaks: &breaks,
-        levels: &ring_levels(inner, outer, outer * widest, side),
+        levels: &ring_levels(inner, outer, outer * width, side),
         closed: true,
         material: 0,
         names: &names,
@@ -352,7 +369,7 @@ fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut
         bottom: Curve::Line { start: [x[0], z[0]], end: [x[1], z[0]] },
         top: Curve::Line { start: [x[0], z[1]], end: [x[1], z[1]] },
         breaks: &parameters(&points, x),
-        levels: &levels(z[1] - z[0], step, 2, contact_side),
+        levels: &levels(z[1] - z[0], width_for_height(cuts, cut), 2, contact_side),
         closed: false,
         material: 0,
         names: &names,

@@ -212,15 +212,20 @@ impl Line<'_, '_> {
         }
     }
 
-    /// A cell over the border of the cap: split there.
+    /// A cell over the border of the cap, or over a pressure at which a wear rule bends: split there.
     fn at_kink(&self, cell: &Interval, place: &dyn Fn(usize) -> f64, samples: &[Node; SAMPLES]) -> Option<Verdict> {
-        let length = cell.hi - cell.lo;
-        let kink = (0..SAMPLES - 1).find(|i| samples[*i].excess * samples[*i + 1].excess < 0.0);
-        let i = kink.filter(|_| length > 1e-9 * cell.lo.abs().max(cell.hi.abs()))?;
-        let root = self.root(place(i), place(i + 1), &|node| node.excess);
-        // An end that was put on the kink by an earlier split is left alone.
-        let margin = 1e-10 * length;
-        (root > cell.lo + margin && root < cell.hi - margin).then_some(Verdict::Halve(root, false))
+        if cell.hi - cell.lo <= 1e-9 * cell.lo.abs().max(cell.hi.abs()) {
+            return None;
+        }
+        let split = |value: &dyn Fn(&Node) -> f64| {
+            let i = (0..SAMPLES - 1).find(|i| value(&samples[*i]) * value(&samples[*i + 1]) < 0.0)?;
+            let root = self.root(place(i), place(i + 1), value);
+            // An end that was put on the kink by an earlier split is left alone.
+            let margin = 1e-10 * (cell.hi - cell.lo);
+            (root > cell.lo + margin && root < cell.hi - margin).then_some(Verdict::Halve(root, false))
+        };
+        let bends = self.stage.law.density.log_bends();
+        split(&|node| node.excess).or_else(|| bends.iter().find_map(|bend| split(&|node| node.log_h - bend)))
     }
 
     /// Whether the density is smooth enough on a cell in contact.

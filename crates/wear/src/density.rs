@@ -76,6 +76,19 @@ impl Density {
         }
     }
 
+    /// Logarithms of the pressures at which a rule given as a function is known to bend.
+    pub(crate) fn log_bends(&self) -> &[f64] {
+        match self {
+            Self::Given(condition) => condition.log_bends(),
+            Self::Power { .. }
+            | Self::Mixed { .. }
+            | Self::Exponential
+            | Self::BangBang { .. }
+            | Self::Receding { .. }
+            | Self::Sum { .. } => &[],
+        }
+    }
+
     /// True when p is known up to a factor: multiplying f by a constant multiplies p by a constant.
     pub(crate) fn scale_free(&self) -> bool {
         matches!(self, Self::Power { .. } | Self::Mixed { .. } | Self::Exponential)

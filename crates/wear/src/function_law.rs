@@ -63,7 +63,10 @@ impl From<FunctionLaw> for OwnRule {
         let numbers = law.numbers().into_iter().map(|(_, value)| value).collect();
         let rate = move |pressure, sliding_speed| law.at(pressure).map(|value| value * sliding_speed);
         let mut rule = OwnRule::named(law.word(), numbers, rate);
-        rule.bends = matches!(law, FunctionLaw::Severe { .. });
+        rule.bends = match law {
+            FunctionLaw::Severe { above, .. } => vec![above],
+            FunctionLaw::Saturating { .. } => Vec::new(),
+        };
         rule.wrong = law.wrong();
         rule
     }

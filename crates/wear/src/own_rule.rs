@@ -15,8 +15,8 @@ pub struct OwnRule {
     law: Arc<RateAndSlope>,
     word: &'static str,
     numbers: Vec<f64>,
-    /// Whether its slope is known to bend or jump at some pressures: there the pressure it asks for is not smooth along a surface.
-    pub(crate) bends: bool,
+    /// Pressures (MPa) at which its slope is known to bend or jump: there the pressure it asks for is not smooth along a surface.
+    pub(crate) bends: Vec<f64>,
     /// A number with which it is none, and what that must be.
     pub(crate) wrong: Option<(&'static str, f64, &'static str)>,
 }
@@ -25,7 +25,7 @@ impl OwnRule {
     /// The rule of a function `law(pressure, sliding_speed)` that gives `[w', dw'/dp]` in mm/s and mm/(s MPa) from MPa and mm/s. It is called
     /// at pressures above 0 only.
     pub fn new(law: impl Fn(f64, f64) -> [f64; 2] + Send + Sync + 'static) -> OwnRule {
-        OwnRule { law: Arc::new(law), word: "given as a function", numbers: Vec::new(), bends: false, wrong: None }
+        OwnRule { law: Arc::new(law), word: "given as a function", numbers: Vec::new(), bends: Vec::new(), wrong: None }
     }
 
     /// The same of a function that a name ("from a table") and numbers say wholly.
@@ -34,7 +34,7 @@ impl OwnRule {
         numbers: Vec<f64>,
         law: impl Fn(f64, f64) -> [f64; 2] + Send + Sync + 'static,
     ) -> OwnRule {
-        OwnRule { law: Arc::new(law), word, numbers, bends: false, wrong: None }
+        OwnRule { law: Arc::new(law), word, numbers, bends: Vec::new(), wrong: None }
     }
 
     /// What the rule is, in words.

@@ -1,5 +1,6 @@
 //! The wear rules of the two bodies in contact.
 
+use crate::condition::bends;
 use crate::rule::Rule;
 use crate::threshold::ThresholdLaw;
 use crate::{WearError, WearLaw};
@@ -67,6 +68,12 @@ impl WearPair {
             }
         }
         self
+    }
+
+    /// Pressures (MPa) at which the sum of both rates is known to bend: rows of a table, where mild wear turns severe, the threshold of one body where the
+    /// other one wears below it. The pressure of a steady state is not smooth where it passes one.
+    pub fn bends(&self) -> Vec<f64> {
+        bends(&self.rules)
     }
 
     /// True when the rule of body `i` takes away material.

@@ -117,7 +117,7 @@ fn of_no_power(problem: &Problem) -> Result<Task, WearError> {
         let remedy = "on a revolving counter-face that wears both rules must be powers of the pressure";
         return Err(WearError::OwnRule { functional, remedy });
     }
-    Ok(given(Condition::Wear(wearing.into_iter().map(|(_, rule)| rule.clone()).collect())))
+    Ok(given(Condition::of_rules(wearing.into_iter().map(|(_, rule)| rule.clone()).collect())))
 }
 
 /// A functional (p^d w')^q of the one body that wears, by a rule with a threshold: convex for q b >= 1, with a condition that can be solved for the

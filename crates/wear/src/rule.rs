@@ -50,12 +50,12 @@ impl Rule {
         }
     }
 
-    /// Whether the slope is known to bend or jump at some pressures beyond which the body wears, as at the rows of a table: along a surface the
-    /// pressure is not smooth there.
-    pub fn bends(&self) -> bool {
+    /// Pressures (MPa) at which the slope is known to bend or jump and beyond which the body wears, as the rows of a table: where the pressure along a
+    /// surface passes one it is not smooth.
+    pub(crate) fn bends(&self) -> &[f64] {
         match self {
-            Rule::Power(_) | Rule::Threshold(_) => false,
-            Rule::Own(rule) => rule.bends,
+            Rule::Power(_) | Rule::Threshold(_) => &[],
+            Rule::Own(rule) => &rule.bends,
         }
     }
 

@@ -82,9 +82,11 @@ impl TableLaw {
 impl From<TableLaw> for OwnRule {
     fn from(table: TableLaw) -> OwnRule {
         let numbers = [table.pressure.as_slice(), &table.wear].concat();
+        // Nothing wears below the first of them that wears: no pressure of a steady state passes it.
+        let bends = table.pressure.iter().zip(&table.wear).filter(|(_, wear)| **wear > 0.0).map(|(p, _)| *p).collect();
         let rate = move |pressure, sliding_speed| table.at(pressure).map(|value| value * sliding_speed);
         let mut rule = OwnRule::named("from a table", numbers, rate);
-        rule.bends = true;
+        rule.bends = bends;
         rule
     }
 }

@@ -178,3 +178,29 @@ fn a_block_under_a_ball_has_all_of_its_edges_at_every_size() {
         assert!((length("right") - depth).abs() < 1e-9 * depth, "times {by}: {} of {depth}", length("right"));
     }
 }
+
+/// Wherever contact ends, alone, on both sides or beside another end, there is a mesh with a node there.
+#[test]
+fn ends_anywhere() {
+    let plate = body("body2", PLATE, "top", "bottom = ['x', 'z']");
+    let couples = [
+        couple(body("body1", SHOE, "inner", "left = ['x']"), drum(), "top", LoadKind::Pressure),
+        couple(body("body1", PUNCH, "bottom", "left = ['x']"), plate, "top", LoadKind::Rigid),
+        couple(body("body1", SEGMENT, "inner", "left = ['x']"), drum(), "outer", LoadKind::Vertical),
+        couple(body("body1", SHOE_CELLS, "inner", "left = ['x'], right = ['x']"), drum(), "top", LoadKind::Pressure),
+    ];
+    for couple in &couples {
+        let extent = extent(couple);
+        let [from, to] = extent.ends();
+        for t in (0..100).map(|i| -0.9975 + 0.02015 * f64::from(i)) {
+            for ends in [vec![t], vec![-t.abs(), t.abs()], vec![t.min(0.31), t.max(0.31)], vec![t.min(-0.77), t.max(-0.77)]] {
+                let places = common(couple, extent, &meshes(couple, extent, 4, Cut::Ends(&ends)).unwrap());
+                let place = |t: f64| from + 0.5 * (1.0 + t) * (to - from);
+                assert!(
+                    ends.iter().all(|t| places.iter().any(|x| (x - place(*t)).abs() <= near(extent))),
+                    "{ends:?}: {places:?}"
+                );
+            }
+        }
+    }
+}

@@ -35,7 +35,7 @@ impl<'a> HotShape<'a> {
     /// The bodies of a level as they are, and bent by the heat of the wanted pressure; none of a scene without heat. Where more levels are `left`, heat that
     /// follows the pressure is not expected to be asked for.
     pub(crate) fn new(shaper: &Shaper<'a>, level: Level, left: bool) -> Result<Option<(HotShape<'a>, Reduced, Effort)>, Fault> {
-        let (stage, ends) = (shaper.stage, &shaper.ends);
+        let (stage, ends) = (shaper.stage, &shaper.nodes);
         let cut = if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) };
         let wanted = |surfaces: &Surfaces, heat: &Heat| wanted_heat(shaper, surfaces, heat);
         let made =

@@ -160,7 +160,7 @@ impl<'a> Shaper<'a> {
         let (reduced, hot, mut effort) = match HotShape::new(self, level, left)? {
             Some((hot, reduced, effort)) => (Arc::new(reduced), Some(hot), effort),
             None => {
-                let (reduced, effort) = self.stage.reduced_at(level, &self.ends)?;
+                let (reduced, effort) = self.stage.reduced_at(level, &self.nodes)?;
                 (reduced, None, effort)
             }
         };
@@ -297,7 +297,7 @@ impl<'a> Shaper<'a> {
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
         Some(Reported {
             level: last.level,
-            ends: self.ends.clone(),
+            ends: self.nodes.clone(),
             heat: last.hot.as_ref().map(|hot| hot.heat.clone()),
             moments,
         })

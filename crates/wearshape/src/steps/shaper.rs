@@ -10,7 +10,7 @@ use crate::stage::Stage;
 use crate::steps::heat::known::with_heat;
 use crate::steps::jumps::Jumps;
 use crate::steps::pressure::infinite_at;
-use crate::steps::pressure_ends::pressure_ends;
+use crate::steps::pressure_ends::{pressure_bends, pressure_ends};
 use crate::steps::rigid_coordinates::{coordinates, motion};
 
 /// A wanted pressure that is infinite somewhere has no shape.
@@ -30,6 +30,8 @@ pub(crate) struct Shaper<'a> {
     pub optimum: &'a wear::Optimum,
     /// Ends of the wanted pressure, and of its part that is capped, inside the surface.
     pub ends: Vec<f64>,
+    /// All places inside the surface where the wanted pressure is not smooth: its ends, and where it passes one at which a wear rule bends.
+    pub nodes: Vec<f64>,
     /// Those of them at which it jumps.
     jumps: Jumps,
     /// Rigid velocities of wear (mm/s, rad/s), one a freedom; empty where there are none.
@@ -41,7 +43,10 @@ impl<'a> Shaper<'a> {
     pub(crate) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
         let ends = pressure_ends(stage, optimum);
         let jumps = Jumps::among(&ends, stage, optimum);
-        Shaper { stage, optimum, ends, jumps, feed: optimum.feed.clone().unwrap_or_default() }
+        let mut nodes = pressure_bends(stage, optimum);
+        nodes.extend(&ends);
+        nodes.sort_unstable_by(f64::total_cmp);
+        Shaper { stage, optimum, ends, nodes, jumps, feed: optimum.feed.clone().unwrap_or_default() }
     }
 
     /// Wanted pressure at a place; where it jumps, what a node of the pair there carries.

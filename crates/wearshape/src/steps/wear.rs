@@ -37,7 +37,6 @@ use pieces::Pieces;
 use problem::STEPS;
 use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
-use wear::Rule;
 
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, best, climb, errors, missed};
@@ -49,6 +48,7 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::all_around;
 use crate::steps::answer::Outcome;
+use crate::steps::pressure_ends::bends;
 use crate::steps::shape::FLAT;
 use crate::watch::{FinishedLevel, Resume, Watch};
 
@@ -212,7 +212,7 @@ fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
 /// some levels. Nor are they in order where a wear rule bends at some pressures, wherever in the elements these are.
 fn traces(stage: Stage<'_>, level: &FinishedLevel) -> Option<usize> {
     let hot = stage.problem.heat.is_some() && stage.problem.wear.until.is_some();
-    let bends = stage.problem.wear.laws.as_ref().is_ok_and(|laws| laws.rules.iter().any(Rule::bends));
+    let bends = !bends(stage.problem).is_empty();
     match (hot, level.ends.is_empty()) {
         (true, _) => Some(2),
         (false, false) => Some(3),
