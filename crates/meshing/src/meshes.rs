@@ -13,7 +13,7 @@ use crate::matching::matched;
 use crate::near_ends::{self, Split, cut_between, cut_near, cut_small};
 use crate::round_cells::as_cells;
 use crate::slender_ends;
-use crate::template::{coarse, contact_cuts};
+use crate::template::{at_corners, coarse, contact_cuts};
 
 /// The meshes of body 1 and body 2, with so many `layers` of cells around each singular point, whose sizes fall by [`RATIO`], and half as
 /// many around each end of contact. The edges named [`CONTACT`](crate::CONTACT) have the same break points in both.
@@ -87,7 +87,7 @@ pub struct CoarseMeshes {
 pub fn coarse_meshes(given: &GivenCells, couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
     let (ends, passed) = passed(cut);
     let cut = if matches!(cut, Cut::Passed(_)) { Cut::Ends(&ends) } else { cut };
-    let Split { far, near, small } = near_ends::split(cut, grown(&ends, passed));
+    let Split { far, near, small } = near_ends::split(cut, grown(&ends, passed), at_corners(couple, extent));
     let cut = if near.is_empty() && small.is_empty() { cut } else { Cut::Ends(&far) };
     let mut middles: Vec<f64> = small.iter().map(|pair| near_ends::between(extent, *pair)).collect();
     if small.is_empty() {

@@ -11,6 +11,10 @@ const NEAR: f64 = 0.45;
 /// Size of the cell at the end of the surface that an end of contact cuts, over their distance: with 1.5 and 2 the gap of a drum whose shoe needs nodes
 /// at 0.75 of its half is off by two and four times as much, and with less a kink of the pressure lies next to a splinter.
 const JUST_BEYOND: f64 = 1.3;
+/// The same, at least, of an end of contact within this share of half the surface: runs in time, whose gap recedes there for ever, do not settle on cells as
+/// small as that.
+const CLOSEST: f64 = 0.05;
+const BEYOND_CLOSEST: f64 = 1.5;
 
 /// Share of half the surface within which two ends of contact are one place of the mesh, whose cells are to be of the size of their distance: the
 /// stresses under a short contact fade within its length, and cells as high as the body know nothing of that.
@@ -22,6 +26,9 @@ const BEYOND: f64 = 1.8;
 const STEEPEST: f64 = 0.35;
 /// The flattest ratio of those layers inside the body, where it is less high than the contact is wide.
 const FLATTEST: f64 = 0.7;
+
+/// What round-off may do to a number of layers.
+const ROUND_OFF: f64 = 1e-9;
 
 /// Ends of contact (from -1 to 1 on the surface) by what they ask of a mesh.
 pub(crate) struct Split {
@@ -43,10 +50,11 @@ pub(crate) fn between(extent: Extent, pair: [f64; 2]) -> f64 {
     from + 0.5 * (1.0 + middle) * (to - from)
 }
 
-/// Sorts the ends of contact, which have grown apart from a much shorter one or not.
-pub(crate) fn split(cut: Cut<'_>, grown: bool) -> Split {
+/// Sorts the ends of contact, which have grown apart from a much shorter one or not, on a surface that ends at corners of a body or in the midst of them.
+pub(crate) fn split(cut: Cut<'_>, grown: bool, at_corners: bool) -> Split {
     let small = if grown { GROWN } else { SMALL };
-    let (near, inner): (Vec<f64>, Vec<f64>) = cut.ends().iter().partition(|t| 1.0 - t.abs() < NEAR);
+    let next = if at_corners { NEAR } else { CLOSEST };
+    let (near, inner): (Vec<f64>, Vec<f64>) = cut.ends().iter().partition(|t| 1.0 - t.abs() < next);
     let mut split = Split { far: Vec::new(), near, small: Vec::new() };
     let mut rest = inner.as_slice();
     while let [first, others @ ..] = rest {
@@ -124,10 +132,16 @@ pub(crate) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result
         let distance = (place - end).abs();
         let Some((edge, side)) = at_end(&mesh, extent, end) else { continue };
         let [a, b] = extent.range(&mesh.edges[edge].curve);
-        let share = JUST_BEYOND * distance / (b - a).abs();
+        let length = (b - a).abs();
+        let share = if 1.0 - t.abs() < CLOSEST {
+            let layers = (BEYOND_CLOSEST * distance / length).ln() / RATIO.ln();
+            RATIO.powi(layers.floor() as i32)
+        } else {
+            JUST_BEYOND * distance / length
+        };
         if share < 1.0 {
             let corner = mesh.edges[edge].vertices[side];
-            let layers = (share.ln() / RATIO.ln()).ceil().max(1.0);
+            let layers = (share.ln() / RATIO.ln() - ROUND_OFF).ceil().max(1.0);
             mesh = square_layers(mesh, corner, share, layers as usize)?;
         }
         for x in [place, 0.5 * (place + end)] {

@@ -237,6 +237,12 @@ fn ring_segment(couple: &Couple, segment: &RingSegment, cuts: &[f64], cut: Cut<'
     Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
+/// Whether the surface that may touch is known to end at corners of body 1, and not in the midst of round bodies, where nothing is singular.
+pub(crate) fn at_corners(couple: &Couple, extent: Extent) -> bool {
+    let body = &couple.bodies[0];
+    matches!(extent, Extent::Angles(_) | Extent::X(_)) && !body.is_given() && !touches_all_around(body)
+}
+
 /// What happens on a full ring, by angles of its own.
 struct OnRing {
     /// Break points of the contact surface.
@@ -260,7 +266,7 @@ impl OnRing {
         let cuts = own(&mut cuts.iter().copied());
         let ends = own(&mut cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)));
         let graded = !touches_all_around(&couple.bodies[0]) && !matches!(extent, Extent::Convex { .. });
-        let width = width_for_height(&cuts, cut);
+        let width = if at_corners(couple, extent) { width_for_height(&cuts, cut) } else { widest(&cuts) };
         OnRing { cuts, width, ends: if number == 0 { ends } else { Vec::new() }, graded }
     }
 }

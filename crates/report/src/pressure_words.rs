@@ -8,6 +8,8 @@ use crate::place::place;
 
 /// Largest relative difference of pressures that are one.
 const SAME: f64 = 1e-9;
+/// The same of extremes that a cut shows, over the largest.
+const SEEN: f64 = 1e-6;
 /// Most that a pressure between two points of a curve differs from those, relative.
 const BETWEEN: f64 = 1e-2;
 
@@ -15,8 +17,9 @@ const BETWEEN: f64 = 1e-2;
 pub(crate) fn extremes(solution: &Solution, pressure: &PressureResult) -> Option<String> {
     let map = solution.map.as_ref()?;
     let (most, least) = (pressure.p_max?, pressure.p_min?);
-    let seen = solution.curve.as_ref()?.pressure.iter().copied().fold(0.0, f64::max);
-    if seen >= most * (1.0 - 1e-6) {
+    let cut = &solution.curve.as_ref()?.pressure;
+    let seen = [cut.iter().copied().fold(0.0, f64::max), cut.iter().copied().fold(f64::INFINITY, f64::min)];
+    if seen[0] >= most * (1.0 - SEEN) && seen[1] - least <= SEEN * most {
         return None;
     }
     let lowest = extreme(&map.pressure, |a, b| a < b * (1.0 - SAME))?;

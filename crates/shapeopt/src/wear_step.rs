@@ -119,12 +119,18 @@ pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
 /// is the answer of a short run, however far the bodies are pressed together. What a step gets wrong in a contact that grows is worn off by the wear after it
 /// only as far as that is as deep as they are pressed together, so that there errors count by the square of it.
 pub(crate) fn shallow(problem: &WearProblem, load: &Load<'_>, state: &WearState) -> f64 {
+    let depth_after =
+        |time: f64| load.rate.deepest(&state.gap, &state.worn) + state.gap_rate.iter().copied().fold(0.0, f64::max) * time;
     let depth = match problem.until {
-        Until::Time(end) => {
-            load.rate.deepest(&state.gap, &state.worn) + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time)
-        }
+        Until::Time(end) => depth_after(end - state.time),
         Until::Depth(depth) => depth,
-        Until::Volume(_) | Until::Steady { .. } => return 1.0,
+        Until::Volume(volume) => {
+            let wear = |body: usize, i: usize| load.weights[i] * load.rate.wear(body, i, state.pressure[i]);
+            let rate: f64 = (0..load.weights.len()).map(|i| wear(0, i) + wear(1, i)).sum();
+            let left = (volume - state.volume[0] - state.volume[1]).max(0.0);
+            if rate > 0.0 { depth_after(left / rate) } else { 0.0 }
+        }
+        Until::Steady { .. } => return 1.0,
     };
     let ratio = if depth > 0.0 { (gap_scale(load, state) / depth).max(1.0) } else { 1.0 };
     if problem.growing { ratio * ratio } else { ratio }

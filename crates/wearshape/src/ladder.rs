@@ -38,6 +38,8 @@ pub(crate) const LEAST: usize = 3;
 pub(crate) enum Refusal {
     /// The scene has no answer: a sentence for the summary.
     Reason(String),
+    /// A level has none that a finer one may have.
+    TooCoarse(String),
     /// The user's to mend.
     Fault(Fault),
 }
@@ -90,6 +92,12 @@ impl Ladder {
         let Some(count) = self.unordered.get() else { return errors(solved, distance) };
         let last = solved[solved.len().saturating_sub(count + 1)..].windows(2).map(|pair| distance(&pair[0], &pair[1]));
         last.reduce(|most, next| std::array::from_fn(|k| most[k].max(next[k])))
+    }
+
+    /// The same from the next level on, if enough are left to tell an error.
+    pub(crate) fn from_finer(&self) -> Option<Ladder> {
+        let finer = || Ladder { levels: self.levels[1..].to_vec(), usual: self.usual - 1, ..self.clone() };
+        (!self.is_fixed() && self.usual > LEAST).then(finer)
     }
 
     /// The same with further degrees for what is nearly there.

@@ -75,7 +75,7 @@ impl<'a> Scope<'a> {
             Scope::HalfDisc(setting) => match setting.trial().and_then(|trial| setting.parts(level, &trial)) {
                 Ok((parts, _)) => sized(&parts),
                 Err(Refusal::Fault(fault)) => Err(fault),
-                Err(Refusal::Reason(_)) => Ok(()),
+                Err(Refusal::Reason(_) | Refusal::TooCoarse(_)) => Ok(()),
             },
             Scope::Round(_) | Scope::RoundWear(_) => sized(&self.parts(level)?),
             Scope::Known(stage) => {
@@ -95,7 +95,9 @@ impl<'a> Scope<'a> {
                 let parts = setting.trial().and_then(|trial| setting.parts(level, &trial));
                 parts.map(|(parts, _)| parts).map_err(|refusal| match refusal {
                     Refusal::Fault(fault) => fault,
-                    Refusal::Reason(reason) => Fault::at("load.force", "contact-too-long", reason, "press less"),
+                    Refusal::Reason(reason) | Refusal::TooCoarse(reason) => {
+                        Fault::at("load.force", "contact-too-long", reason, "press less")
+                    }
                 })
             }
         }

@@ -31,7 +31,9 @@ pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &
     let mut solution = Solution::default();
     match stages(Given { problem, options, bodies }, watch, &mut solution) {
         Ok(()) => {}
-        Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
+        Err(Refusal::Reason(reason) | Refusal::TooCoarse(reason)) => {
+            (solution.status, solution.reason) = (Status::Refused, Some(reason))
+        }
         Err(Refusal::Fault(fault)) => return Err(in_names_of(problem.couple.as_ref(), fault)),
     }
     if let Some(couple) = &problem.couple {

@@ -145,3 +145,29 @@ fn a_track_ties_speed_and_turns() {
         }
     }
 }
+
+/// Until a volume steps are about as short as until the time that it takes: one alone passes over all points that come into contact on the way.
+#[test]
+fn a_contact_worn_to_a_volume_takes_the_steps_of_one_worn_for_a_time() {
+    let bench = Bench::new();
+    let wear = |until: &str| {
+        let scene = "run hertz-cylinder -q --set tasks=[wear] --set sliding.speed=100 --set wear.k=1e-7 --set accuracy=1e-3";
+        let call = bench.call(&format!("{scene} --set wear.until={until}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        bench.summary("hertz-cylinder")["wear"].clone()
+    };
+    let by_volume = wear("{volume=0.01}");
+    let by_time = wear(&by_volume["time_s"].to_string());
+    let steps = [&by_volume, &by_time].map(|wear| wear["steps"].as_f64().unwrap());
+    assert!(steps[0] > 0.5 * steps[1] && steps[1] > 5.0, "{steps:?}");
+    let depths = [&by_volume, &by_time].map(|wear| wear["depth_um"].as_f64().unwrap());
+    assert!((depths[0] - depths[1]).abs() < 1e-3 * depths[1], "{depths:?}");
+}
+
+/// A crown touches on a point of a coarse mesh, about which the punch would tilt: such levels are left out.
+#[test]
+fn a_crown_that_touches_on_a_point_of_a_coarse_mesh_is_worn() {
+    let bench = Bench::new();
+    let call = bench.call("run punch-wear -q --set contact.gap.crown=0.1 --set wear.until=1 --set accuracy=1e-2");
+    assert_eq!(call.code, 0, "{}", call.err);
+}

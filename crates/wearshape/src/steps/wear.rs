@@ -64,7 +64,19 @@ pub(crate) use self::round::RoundWear;
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let (pieces, work) = turns::pieces(stage)?;
     let (ends, search) = if stage.grows() { grown::nodes(stage, &pieces)? } else { final_ends::final_ends(stage, &pieces)? };
-    let (mut outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
+    let mut ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
+    let first = stage.options.resume.and_then(|resume| resume.finished.first());
+    while first.is_some_and(|first| ladder.levels[0].degree < first.degree)
+        && let Some(finer) = ladder.from_finer()
+    {
+        ladder = finer;
+    }
+    let (mut outcome, mut effort) = loop {
+        match (solve_at(stage, &pieces, (&ladder, &ends), watch), ladder.from_finer()) {
+            (Err(Refusal::TooCoarse(_)), Some(finer)) => ladder = finer,
+            (done, _) => break done?,
+        }
+    };
     all_around::refuse_full(stage, &mut outcome);
     effort += work.aside();
     effort += search.aside();
@@ -72,9 +84,13 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 }
 
 /// The same on meshes with nodes at places that are known, from -1 to 1 along the surface, or at those that the first level finds.
-fn solve_at(stage: Stage<'_>, pieces: &Pieces, known_ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
-    let (known, mut states) = taken_up(stage, &ladder)?;
+fn solve_at(
+    stage: Stage<'_>,
+    pieces: &Pieces,
+    (ladder, known_ends): (&Ladder, &[f64]),
+    watch: &mut Watch<'_>,
+) -> Result<(Outcome, Effort), Refusal> {
+    let (known, mut states) = taken_up(stage, ladder)?;
     let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
     let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
         let finished = lefts(before);
@@ -105,11 +121,11 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, known_ends: &[f64], watch: &mut W
         Ok(if ends { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
     let decisive = decisive(stage, pieces.left_out());
-    let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, decisive, watch)?;
+    let Climbed { mut solved, mut stopped } = climb(ladder, known, solve, decisive, watch)?;
     for level in &solved {
         effort += level.run.as_ref().map_or_else(|| before(&level.left), |ran| ran.effort.clone());
     }
-    let found = if stopped { None } else { best(&ladder, &solved, &decisive) };
+    let found = if stopped { None } else { best(ladder, &solved, &decisive) };
     let found = found.map(|(count, known)| (count, with_times(stage, &solved[..count], pieces.left_out(), known)));
     let levels = solved.len();
     if let Some((count, _)) = found.filter(|(count, _)| *count < levels || given_up.is_some()) {
@@ -128,7 +144,7 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, known_ends: &[f64], watch: &mut W
     };
     let resume = stopped.then(|| Resume { finished: lefts(&solved), states });
     let outcome =
-        finish((stage, pieces), &ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors) });
+        finish((stage, pieces), ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors) });
     Ok((Outcome { stopped, resume, ..outcome }, effort))
 }
 

@@ -338,7 +338,11 @@ fn evolve(
         None => Evolution::new(problem),
     };
     known.into_iter().for_each(|state| history.push(state));
-    let mut evolution = start.map_err(|error| Refusal::Reason(error.to_string()))?;
+    let mut evolution = start.map_err(|error| match error {
+        // A short contact may lie between the points of a coarse mesh, or be one of them, about which body 1 tilts.
+        shapeopt::Error::NoContactAtStart => Refusal::TooCoarse(error.to_string()),
+        error => Refusal::Reason(error.to_string()),
+    })?;
     let mut stopped = !begun;
     let deepest = if matches!(problem.until, Until::Steady { .. }) { FAR * scenes.pair.trace().length() } else { f64::INFINITY };
     let goes_on = |state: &WearState| state.step < MOST_STEPS && state.depth < deepest;

@@ -8,7 +8,7 @@ use wear::Shape;
 use crate::bodies::Bodies;
 use crate::effort::Effort;
 use crate::faults::wrong_wear;
-use crate::ladder::Refusal;
+use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
@@ -218,7 +218,8 @@ impl<'a> RoundWear<'a> {
     pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Inside), Refusal> {
         let (end, mut effort) = self.end()?;
         self.on(&self.nodes(end), |stage, ends| {
-            let (mut outcome, work) = solve_at(stage, &Pieces::of(stage.problem), ends, watch)?;
+            let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
+            let (mut outcome, work) = solve_at(stage, &Pieces::of(stage.problem), (&ladder, ends), watch)?;
             effort += work;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields) && !outcome.stopped);
             let Some(reported) = reported else { return Ok((outcome, effort, Inside::default())) };
