@@ -102,7 +102,8 @@ fn has_room(mesh: &Mesh, vertex: usize) -> bool {
 }
 
 /// Raises degree and layers together until the estimated relative error of `quantity(mesh, degrees)` (energies, displacements at points,
-/// anything that converges) is at most `accuracy`, or the degree reaches `highest`.
+/// anything that converges) is at most `accuracy`, or the degree reaches `highest`. That of a single displacement or stress at a point may be told too small, see
+/// [`sequence_estimate`].
 ///
 /// # Errors
 /// Those of `quantity` and of the refinement; [`Error::Count`] if there are no quantities or their number changes; [`Error::OutOfRange`] if one of them is not
