@@ -25,7 +25,7 @@ impl ContactOperator<'_> {
             status: ending.status,
             pressure: over_weight(&force),
             shear: over_weight(&shear),
-            zones: zones(&self.unit.points, &closed, &force),
+            zones: zones(&self.unit.points, &closed, &force, self.pair.turn()),
             nodal_force: force,
             nodal_shear: shear,
             opening: ending.opening,

@@ -26,14 +26,16 @@ impl ContactOperator<'_> {
     pub fn embedded_difference(&self, gap: &[f64], load: &ContactLoad, solution: &ContactSolution) -> Result<Option<f64>, Error> {
         let problem = self.stage(gap, load)?.plain.problem;
         let edges = &self.pair.trace().edges;
-        let smooth = |edge: usize| edges[edge].degree > 2 && self.edge_points(edge).all(|i| solution.closed[i]);
+        let n = self.unit.points.len();
+        let smooth = |edge: usize| edges[edge].degree > 2 && self.edge_points(edge).all(|i| solution.closed[i % n]);
         if !(0..edges.len()).any(smooth) || matches!(load.friction, Friction::Coulomb { .. }) {
             return Ok(None);
         }
         // Each end of contact inside an edge moves in by one point.
-        let open = |i: usize| solution.closed.get(i) == Some(&false);
-        let kept: Vec<bool> =
-            (0..self.unit.points.len()).map(|i| solution.closed[i] && !open(i + 1) && !(i > 0 && open(i - 1))).collect();
+        let around = self.pair.turn().is_some();
+        let open = |i: usize| solution.closed.get(if around { i % n } else { i }) == Some(&false);
+        let before = |i: usize| (i > 0 || around) && open((i + n - 1) % n);
+        let kept: Vec<bool> = (0..n).map(|i| solution.closed[i] && !open(i + 1) && !before(i)).collect();
         let lower = self.solve_in(&problem, &self.polynomials(&solution.closed, &kept));
         Ok(lower.map(|lower| self.inner_difference(&lower, &solution.pressure)))
     }
@@ -48,17 +50,18 @@ impl ContactOperator<'_> {
         let mut hats: Vec<Vec<(usize, f64)>> = (0..n).map(|i| if kept[i] { vec![(i, 1.0)] } else { Vec::new() }).collect();
         for (edge, of) in trace.edges.iter().enumerate() {
             let range = self.edge_points(edge);
-            if !range.clone().all(|i| closed[i]) {
+            if !range.clone().all(|i| closed[i % n]) {
                 continue;
             }
             let (start, end) = (*range.start(), *range.end());
-            let (low, high) = (self.unit.points[start].arc, self.unit.points[end].arc);
+            let place = |i: usize| self.unit.points.get(i).map_or(trace.length(), |point| point.arc);
+            let (low, high) = (place(start), place(end));
             let degree = of.degree.saturating_sub(1).max(1);
             for i in start + 1..end {
                 hats[i].clear();
                 let t = 2.0 * (self.unit.points[i].arc - low) / (high - low) - 1.0;
                 hats[start].push((i, 0.5 * (1.0 - t)));
-                hats[end].push((i, 0.5 * (1.0 + t)));
+                hats[end % n].push((i, 0.5 * (1.0 + t)));
             }
             for k in 2..=degree {
                 let bubble = |i: usize| {
@@ -102,7 +105,8 @@ impl ContactOperator<'_> {
     /// `|a - b| / |b|` over the inner part of the surface.
     fn inner_difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let length = self.pair.trace().length();
-        let inner = |i: &usize| (MARGIN..=1.0 - MARGIN).contains(&(self.unit.points[*i].arc / length));
+        let inner =
+            |i: &usize| self.pair.turn().is_some() || (MARGIN..=1.0 - MARGIN).contains(&(self.unit.points[*i].arc / length));
         let sum = |f: &dyn Fn(usize) -> f64| -> f64 {
             (0..a.len()).filter(inner).map(|i| self.unit.points[i].weight * f(i).powi(2)).sum()
         };

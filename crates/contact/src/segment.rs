@@ -80,8 +80,9 @@ impl Pair<'_> {
         points.iter_mut().for_each(|p| p.weight = 0.0);
         let mut first = 0;
         for (number, edge) in trace.edges.iter().enumerate() {
-            let nodes: Vec<f64> =
-                (0..=edge.degree).map(|k| if k == 0 { -1.0 } else { trace.points[first + k].parameter }).collect();
+            let nodes: Vec<f64> = (0..=edge.degree)
+                .map(|k| if k == 0 { -1.0 } else { trace.points.get(first + k).map_or(1.0, |p| p.parameter) })
+                .collect();
             let barycentric = barycentric_weights(&nodes);
             for ends in breaks_on(number, trace, &other.trace).windows(2) {
                 let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
@@ -97,7 +98,8 @@ impl Pair<'_> {
                     let there = self.place(side.other(), &point);
                     let places = if side == Side::Shaped { [point.place, there] } else { [there, point.place] };
                     let shapes = lagrange(&nodes, &barycentric, t);
-                    let shares: Vec<(usize, f64)> = shapes.iter().enumerate().map(|(k, phi)| (first + k, area * phi)).collect();
+                    let shares: Vec<(usize, f64)> =
+                        shapes.iter().enumerate().map(|(k, phi)| ((first + k) % points.len(), area * phi)).collect();
                     shares.iter().for_each(|(j, share)| points[*j].weight += share);
                     stations.push(Station { point, places, shares });
                 }

@@ -103,6 +103,8 @@ pub struct TwistSolution {
 pub struct TorsionOperator {
     points: Vec<ContactPoint>,
     compliance: Mat<f64>,
+    /// Length of the boundary if it is closed.
+    turn: Option<f64>,
 }
 
 impl TorsionOperator {
@@ -123,7 +125,7 @@ impl TorsionOperator {
             compliance += &rows * body.solve(&rows.transpose().to_owned(), &body.rigid_modes);
         }
         let compliance = Mat::from_fn(n, n, |i, j| 0.5 * (compliance[(i, j)] + compliance[(j, i)]));
-        Ok(TorsionOperator { points, compliance })
+        Ok(TorsionOperator { points, compliance, turn: pair.turn() })
     }
 
     /// The contact points, those of the contact of the same bodies in their plane.
@@ -227,7 +229,7 @@ impl TorsionOperator {
         if within.len() > 1 && self.points[0].position[0] == 0.0 {
             within[0] = within[1];
         }
-        answer.stick = zones(&self.points, &within, &spare);
+        answer.stick = zones(&self.points, &within, &spare, self.turn);
         if answer.status.is_solved() {
             let slips = answer.states.iter().any(|s| matches!(s, ContactState::Forward | ContactState::Backward));
             answer.status = match (sticks.contains(&true), slips) {

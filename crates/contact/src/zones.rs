@@ -3,11 +3,12 @@
 use crate::point::ContactPoint;
 
 /// Arcs between the ends of the active zones. An end between an active and an idle point is placed where the square of `force / weight`,
-/// linear near a smooth end, vanishes.
-pub(crate) fn zones(points: &[ContactPoint], active: &[bool], force: &[f64]) -> Vec<[f64; 2]> {
-    let n = points.len();
-    let pressure = |i: usize| force[i] / points[i].weight;
-    let arc = |i: usize| points[i].arc;
+/// linear near a smooth end, vanishes. Along a closed boundary of the length `turn` point 0 is the last one too, and a zone across it is told as two.
+pub(crate) fn zones(points: &[ContactPoint], active: &[bool], force: &[f64], turn: Option<f64>) -> Vec<[f64; 2]> {
+    let n = points.len() + usize::from(turn.is_some());
+    let active = |i: usize| active[i % points.len()];
+    let pressure = |i: usize| force[i % points.len()] / points[i % points.len()].weight;
+    let arc = |i: usize| points.get(i).map_or(turn.unwrap_or_default(), |point| point.arc);
     let end = |inside: usize, before: Option<usize>, outside: Option<usize>| {
         let Some(outside) = outside else { return arc(inside) };
         let (low, high) = (arc(inside), arc(outside));
@@ -22,12 +23,12 @@ pub(crate) fn zones(points: &[ContactPoint], active: &[bool], force: &[f64]) -> 
     let mut zones = Vec::new();
     let mut i = 0;
     while i < n {
-        if !active[i] {
+        if !active(i) {
             i += 1;
             continue;
         }
         let start = i;
-        while i + 1 < n && active[i + 1] {
+        while i + 1 < n && active(i + 1) {
             i += 1;
         }
         let inner = |k: usize| (start..=i).contains(&k).then_some(k);

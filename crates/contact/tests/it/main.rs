@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod cattaneo_mindlin;
+mod closed;
 mod common;
 mod edges;
 mod embedded;
