@@ -57,7 +57,7 @@ impl Mesh {
     /// # Errors
     /// [`Error::OutOfRange`] for breaks or levels that do not rise from end to end (-1 to 1, 0 to 1, up to 1e-12), for fewer than two of
     /// them (four breaks of a closed region, whose columns must differ in their vertices), and for a ruling or an end of a range that
-    /// is none of them, for arcs beyond a full turn; those of [`Mesh::new`].
+    /// is none of them, for arcs beyond a full turn; those of [`Mesh::new`], [`Error::CellsOverlap`] for curves that go around more than once.
     pub fn ruled(region: &Ruled<'_>) -> Result<Mesh, Error> {
         let (breaks, levels) = (region.breaks, region.levels);
         check_rising("breaks", breaks, [-1.0, 1.0], if region.closed { 4 } else { 2 })?;
@@ -89,9 +89,12 @@ impl Mesh {
         for named in region.names {
             names.extend(named_edges(region, named, &vertex)?.into_iter().map(|edge| (edge, named.name)));
         }
-        // Columns of a ruled region lie beside each other: cells that are not folded do not overlap.
         let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
         mesh.check_cells()?;
+        // Columns between lines and arcs of a turn at most lie beside each other; others may go around more than once.
+        if [region.bottom, region.top].iter().any(|curve| matches!(curve, Curve::Polynomial { .. })) {
+            mesh.check_overlap()?;
+        }
         Ok(mesh)
     }
 

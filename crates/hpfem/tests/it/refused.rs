@@ -73,6 +73,24 @@ fn a_ruling_or_range_that_is_no_break_is_refused_by_its_name() {
     }
 }
 
+/// A ring between two curves through points of arcs, over less and over more than a turn.
+#[test]
+fn a_ruled_region_that_lies_on_itself_is_refused() {
+    let ring = |turns: f64| {
+        let arc = |radius: f64| {
+            Curve::interpolated(8, move |t| {
+                let angle = turns * std::f64::consts::PI * (1.0 + t);
+                [radius * angle.cos(), radius * angle.sin()]
+            })
+        };
+        let breaks: Vec<f64> = (0..=12).map(|i| f64::from(i) / 6.0 - 1.0).collect();
+        let (bottom, top) = (arc(2.0), arc(1.0));
+        Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &[0.0, 1.0], closed: false, material: 0, names: &[] })
+    };
+    assert!(ring(0.9).is_ok());
+    assert!(matches!(ring(1.15), Err(Error::CellsOverlap { .. })));
+}
+
 #[test]
 fn a_mesh_without_cells_and_cells_on_one_place_are_refused() {
     assert_eq!(Mesh::new(vec![[0.0; 2]], &[], &[], &[]), Err(Error::NoCells));
