@@ -35,7 +35,10 @@ pub struct SingularVertex {
 /// Distance from the axis of revolution, over the largest, that is none.
 const ON_AXIS: f64 = 1e-12;
 
-/// The singular vertices of a mesh: every boundary vertex and every vertex between materials whose exponent is below 1, and the
+/// Exponent from which on a vertex counts as smooth: slopes of `r^.99` grow by 7 % over a factor of a thousand.
+const WEAKEST: f64 = 0.99;
+
+/// The singular vertices of a mesh: every boundary vertex and every vertex between materials whose exponent is below .99, and the
 /// vertices where a boundary in `loaded` ends: name there what is loaded, and what stands on a foundation or film, for it ends in a weak singularity too.
 ///
 /// Vertices on an axis of revolution are left out: of the tip of a cone the sectors of a plane corner do not know the exponent. Push a [`SingularVertex`] for it.
@@ -78,7 +81,7 @@ pub fn singular_vertices(
         // A straight interface between two materials.
         let straight = faces.is_none() && sectors.len() == 2 && (sectors[0].angle - PI).abs() < 1e-6;
         let exponent = if (smooth && uniform) || straight { 1.0 } else { exponent_of(&mut known, sectors, faces, kinematics) };
-        if exponent < 0.99 {
+        if exponent < WEAKEST {
             found.push(SingularVertex { vertex, exponent });
         } else if edges.is_some_and(|[a, b]| load[a] != load[b]) {
             found.push(SingularVertex { vertex, exponent: 1.0 });
