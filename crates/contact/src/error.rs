@@ -23,8 +23,11 @@ pub enum Error {
         /// The body.
         side: Side,
     },
-    /// Two bodies of unlike kinematics or thickness.
-    #[error("bodies in contact need the same kinematics and thickness")]
+    /// Two bodies that do not mean the same by their coordinates or forces, or of unlike thickness.
+    #[error(
+        "bodies in contact need the same coordinates, as many components of the displacement and the same thickness: plane stress and plane strain go together, {:?} and {:?} do not",
+        kinematics[0], kinematics[1]
+    )]
     Unlike {
         /// Those of both bodies.
         kinematics: [Kinematics; 2],
@@ -42,6 +45,14 @@ pub enum Error {
     NotHeld {
         /// The body.
         side: Side,
+    },
+    /// A body has no displacement around an axis.
+    #[error("the {} has no displacement around an axis: reduce it in `Kinematics::Torsion`", side.words())]
+    NoTurn {
+        /// The body.
+        side: Side,
+        /// Its kinematics.
+        kinematics: Kinematics,
     },
     /// A body can turn about the axis.
     #[error("the {} can turn about the axis: hold it there against turning", side.words())]

@@ -4,12 +4,13 @@
 const SECTIONS: usize = 60;
 
 /// Place and value of the largest of a function's values at ascending places, or of the function between the neighbours of that place, where it has one
-/// maximum: the value to round-off, the place to its root. `[NaN, -inf]` without any.
+/// maximum: the value to round-off, the place to its root. `[NaN, -inf]` without any. What one list has more than the other does not count.
 pub fn maximum(places: &[f64], values: &[f64], value: &dyn Fn(f64) -> f64) -> [f64; 2] {
-    let Some(most) = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])) else {
+    let count = places.len().min(values.len());
+    let Some(most) = (0..count).max_by(|a, b| values[*a].total_cmp(&values[*b])) else {
         return [f64::NAN, f64::NEG_INFINITY];
     };
-    let between = maximum_between(value, [places[most.saturating_sub(1)], places[(most + 1).min(places.len() - 1)]]);
+    let between = maximum_between(value, [places[most.saturating_sub(1)], places[(most + 1).min(count - 1)]]);
     let (here, there) = (values[most], value(between));
     if there > here { [between, there] } else { [places[most], here] }
 }
@@ -39,5 +40,7 @@ mod tests {
         }
         assert_eq!((found(&|x| x), found(&|x| -x), found(&|x| -(x - 0.5).abs())), ([1.0, 1.0], [0.0, 0.0], [0.5, 0.0]));
         assert_eq!(maximum(&[], &[], &|x| x)[1], f64::NEG_INFINITY);
+        assert_eq!(maximum(&[0.0, 1.0], &[1.0, 0.0, 9.0], &|x| 1.0 - x), [0.0, 1.0]);
+        assert_eq!(maximum(&[], &[1.0], &|x| x)[1], f64::NEG_INFINITY);
     }
 }

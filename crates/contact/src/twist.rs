@@ -111,14 +111,17 @@ impl TorsionOperator {
     /// Solves both bodies for unit forces around the axis at all contact points. Each must be held against turning somewhere off the axis.
     ///
     /// # Errors
-    /// [`Error::FreeToTurn`].
+    /// [`Error::NoTurn`] for a body that is not reduced in [`Kinematics::Torsion`]; [`Error::FreeToTurn`].
     pub fn new(pair: &Pair<'_>) -> Result<TorsionOperator, Error> {
         let (points, stations) = pair.stations();
         let n = points.len();
         let mut compliance = Mat::zeros(n, n);
         for side in [Side::Shaped, Side::Counter] {
             let Some(body) = pair.side(side) else { continue };
-            if body.kinematics != Kinematics::Torsion || body.rigid_modes.ncols() > 0 {
+            if body.kinematics != Kinematics::Torsion {
+                return Err(Error::NoTurn { side, kinematics: body.kinematics });
+            }
+            if body.rigid_modes.ncols() > 0 {
                 return Err(Error::FreeToTurn { side });
             }
             let rows = around(body, side, n, &stations);

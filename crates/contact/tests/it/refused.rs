@@ -100,8 +100,14 @@ fn bodies_that_do_not_go_together_are_refused() {
         for found in [Pair::new, |a, b: Option<_>| Pair::facing(a, b.unwrap())] {
             let kinematics = [PLANE, other];
             assert_eq!(found(&body, Some(&counter)).err(), Some(Error::Unlike { kinematics }));
+            assert!(Error::Unlike { kinematics }.to_string().contains("plane stress and plane strain go together"));
         }
     }
+    let stressed = block(3, free, Kinematics::PlaneStress { thickness: 1.0 });
+    assert!(Pair::new(&body, Some(&stressed)).is_ok());
+    // It was told to hold the body against turning.
+    let error = TorsionOperator::new(&Pair::new(&body, None).unwrap()).err();
+    assert_eq!(error, Some(Error::NoTurn { side: Side::Shaped, kinematics: PLANE }));
     let mesh = || rectangle(&[0.0, 10.0, 20.0], &[0.0, 5.0, 20.0], hpfem::Side::Bottom, [0.0, 20.0]);
     let bare = BodyProblem::new(mesh(), 3, PLANE).material(material(210e3, 0.3)).clamp("top");
     let bare = Body::new(bare).unwrap().interface;
