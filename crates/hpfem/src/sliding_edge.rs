@@ -8,6 +8,7 @@
 use nalgebra::DMatrix;
 
 use crate::bisect::bisect;
+use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::sector::{C, Sector, condition, plane};
 use crate::singular::Corner;
@@ -31,7 +32,14 @@ const STEPS: usize = 400;
 
 /// The pressure at the edge of the body `shaped` on the body `counter`, of which the contact ray is the first face. `friction` is the
 /// coefficient, positive where the other body drags `shaped` from the edge into the contact, negative where it drags out of it.
-pub fn sliding_edge(shaped: &Corner, counter: &Corner, friction: f64, kinematics: Kinematics) -> SlidingEdge {
+///
+/// # Errors
+/// [`Error::OutOfRange`] for a friction that is not finite.
+pub fn sliding_edge(shaped: &Corner, counter: &Corner, friction: f64, kinematics: Kinematics) -> Result<SlidingEdge, Error> {
+    if !friction.is_finite() {
+        let quantity = "the friction of a sliding edge".into();
+        return Err(Error::OutOfRange { quantity, value: friction, range: "finite" });
+    }
     let value = |lambda: f64, friction: f64| determinant(lambda, shaped, counter, friction, kinematics);
     let at = |i: usize| i as f64 / STEPS as f64;
     let smallest = at(1) * 1e-2;
@@ -42,12 +50,13 @@ pub fn sliding_edge(shaped: &Corner, counter: &Corner, friction: f64, kinematics
         let now = value(lambda, friction);
         if let Some((lower, sign)) = before.filter(|(_, sign)| sign.signum() != now.signum()) {
             let [low, high] = bisect([lower, lambda], 60, |middle| value(middle, friction).signum() == sign.signum());
-            return SlidingEdge::Singular { lambda: 0.5 * (low + high) };
+            return Ok(SlidingEdge::Singular { lambda: 0.5 * (low + high) });
         }
         before = Some((lambda, now));
     }
     // A root that has passed through zero leaves the sign there other than without friction.
-    if value(smallest, friction).signum() != value(smallest, 0.0).signum() { SlidingEdge::DigsIn } else { SlidingEdge::Bounded }
+    let digs_in = value(smallest, friction).signum() != value(smallest, 0.0).signum();
+    Ok(if digs_in { SlidingEdge::DigsIn } else { SlidingEdge::Bounded })
 }
 
 /// Determinant of the conditions at a real exponent.

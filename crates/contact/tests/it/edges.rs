@@ -133,7 +133,7 @@ fn sharp_edges_of_a_sliding_elastic_punch_have_the_exponents_of_the_characterist
         let distances = (0..41).map(|i| 1e-5 * 1e3_f64.powf(f64::from(i) / 40.0));
         // Body 2 drags the punch towards +x: into the contact at its start.
         for (mu, at_start) in [(friction, true), (-friction, false)] {
-            let found = sliding_edge(&wedge(90.0), &wedge(180.0), mu, punch.kinematics);
+            let found = sliding_edge(&wedge(90.0), &wedge(180.0), mu, punch.kinematics).unwrap();
             let pressure: Vec<f64> =
                 distances.clone().map(|d| at_arc(&operator, &solution.pressure, if at_start { d } else { last - d })).collect();
             match found {

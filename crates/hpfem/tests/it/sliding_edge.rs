@@ -24,18 +24,18 @@ fn an_edge_far_stiffer_than_its_plane_has_the_exponents_of_a_sliding_rigid_punch
     for (nu, mu, unit) in [(0.3, 0.25_f64, 1.0), (0.1, 0.5, 1e-6), (0.45, 1.0, 1e6)] {
         let g = (mu * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu))).atan() / PI;
         let (punch, plane) = (wedge(90.0, 1e10 * unit, 0.3), wedge(180.0, unit, nu));
-        let found = |mu| lambda(sliding_edge(&punch, &plane, mu, PLANE_STRAIN));
+        let found = |mu| lambda(sliding_edge(&punch, &plane, mu, PLANE_STRAIN).unwrap());
         assert_abs_diff_eq!(found(mu), 0.5 + g, epsilon = 1e-7);
         assert_abs_diff_eq!(found(-mu), 0.5 - g, epsilon = 1e-7);
         // The plane seen as the shaped body is dragged the other way.
-        assert_abs_diff_eq!(lambda(sliding_edge(&plane, &punch, mu, PLANE_STRAIN)), 0.5 - g, epsilon = 1e-7);
+        assert_abs_diff_eq!(lambda(sliding_edge(&plane, &punch, mu, PLANE_STRAIN).unwrap()), 0.5 - g, epsilon = 1e-7);
     }
 }
 
 #[test]
 fn a_right_angled_edge_on_its_own_kind_gets_sharper_with_friction_until_it_digs_in() {
     // Roots of the same conditions written with the derivatives of an Airy function, by an independent program.
-    let found = |mu| sliding_edge(&wedge(90.0, 210e3, 0.3), &wedge(180.0, 210e3, 0.3), mu, PLANE_STRESS);
+    let found = |mu| sliding_edge(&wedge(90.0, 210e3, 0.3), &wedge(180.0, 210e3, 0.3), mu, PLANE_STRESS).unwrap();
     for (mu, root) in
         [(0.0, 0.7740131), (0.25, 0.6586316), (-0.25, 0.9333781), (1.0, 0.3854037), (1.75, 0.1233842), (2.0, 0.018157)]
     {
@@ -45,7 +45,12 @@ fn a_right_angled_edge_on_its_own_kind_gets_sharper_with_friction_until_it_digs_
     // The other edge: complex exponents above 1, the pressure vanishes and the edge lifts.
     assert_eq!(found(-0.5), SlidingEdge::Bounded);
     // A sharper wedge has no singular pressure.
-    assert_eq!(sliding_edge(&wedge(60.0, 210e3, 0.3), &wedge(180.0, 210e3, 0.3), 0.25, PLANE_STRESS), SlidingEdge::Bounded);
+    let sharp = |mu| sliding_edge(&wedge(60.0, 210e3, 0.3), &wedge(180.0, 210e3, 0.3), mu, PLANE_STRESS);
+    assert_eq!(sharp(0.25), Ok(SlidingEdge::Bounded));
+    // No friction at all was taken for an exponent.
+    for mu in [f64::NAN, f64::INFINITY] {
+        assert!(matches!(sharp(mu), Err(Error::OutOfRange { range: "finite", .. })), "{mu}");
+    }
 }
 
 #[test]
@@ -67,6 +72,6 @@ fn the_wedges_of_a_mesh_are_found_with_their_supports() {
             0.0,
             PLANE_STRAIN
         ),
-        SlidingEdge::Bounded
+        Ok(SlidingEdge::Bounded)
     );
 }

@@ -29,7 +29,8 @@ pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result
         let Some(wedges) = wedges(stage, [&parts.parts[0], &parts.parts[1]], number) else { continue };
         let into = if number == 0 { drag } else { -drag };
         let on_axis = stage.couple.kinematics.is_revolved() && x == 0.0;
-        match sliding_edge(&wedges[0], &wedges[1], into * friction, stage.couple.kinematics) {
+        let edge = sliding_edge(&wedges[0], &wedges[1], into * friction, stage.couple.kinematics);
+        match edge.map_err(|error| Fault::at("contact.friction", "wrong-value", error.to_string(), "give a finite friction"))? {
             _ if on_axis || drag == 0.0 => {}
             SlidingEdge::DigsIn => said.push(format!(
                 "at x = {x:.6} mm friction {friction} is beyond what any pressure with a finite force allows: the sharp edge digs in"
