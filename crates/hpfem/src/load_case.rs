@@ -68,7 +68,7 @@ impl From<Eigenstrain> for Load {
 }
 
 /// A traction on a named boundary, force per area, MPa, as a function of the point: `[t_x, t_z]`, in torsion `[t_phi, _]`, for a potential
-/// the flux into the body `[q, _]`.
+/// the flux into the body `[q, _]`. On edges inside the body the outward normal is that of the edge's first cell, the one with the lower index.
 #[derive(Clone)]
 pub struct EdgeTraction {
     /// Name of the boundary.
@@ -213,7 +213,7 @@ pub struct BodyPoint {
 }
 
 impl Eigenstrain {
-    /// A strain by a function of the place.
+    /// A strain by a function of the place. All four components are finite, those without a meaning too, or the load is refused.
     pub fn new(strain: impl Fn(&BodyPoint) -> [f64; 4] + Send + Sync + 'static) -> Eigenstrain {
         Eigenstrain { strain: Arc::new(strain), of_normals: false, temperature: None, in_modes: None }
     }

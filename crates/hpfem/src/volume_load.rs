@@ -224,6 +224,10 @@ impl Assembly<'_> {
             Load::BodyForce(body) => body.at(position, material).map(|f| [f / self.unit, 0.0, 0.0]),
             Load::Eigenstrain(eigen) => {
                 let strain = (eigen.strain)(&BodyPoint { cell, reference, position, material });
+                // A component that the kinematics leaves out is read by fields.
+                if strain.iter().any(|v| !v.is_finite()) {
+                    return [[f64::NAN; 3]; 2];
+                }
                 self.strain_load(material, position[0], strain)
             }
             Load::Traction(_) | Load::PointForce(_) => [[0.0; 3]; 2],

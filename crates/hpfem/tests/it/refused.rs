@@ -348,7 +348,10 @@ fn numbers_that_are_not_finite_are_refused_wherever_they_come_in() {
 fn the_load_case_of_a_number_that_is_not_finite_is_told_by_its_name() {
     let held = BodyProblem::new(rectangle([0.0, 2.0], [0.0, 1.0]), 6, PLANE_STRESS);
     let held = held.material(Material::isotropic(100.0, 0.3).unwrap()).clamp("left");
-    for load in [Load::from(BodyForce::new(|_| [f64::NAN, 0.0])), Load::from(Eigenstrain::new(|_| [f64::NAN; 4]))] {
+    // The last strain has no part in plane stress.
+    let strains = [[f64::NAN; 4], [0.0, 0.0, 0.0, f64::NAN], [0.0, f64::INFINITY, 0.0, 0.0]];
+    let strains = strains.map(|strain| Load::from(Eigenstrain::new(move |_| strain)));
+    for load in [Load::from(BodyForce::new(|_| [f64::NAN, 0.0]))].into_iter().chain(strains) {
         let body = held.clone().load("good", BodyForce::new(|_| [1.0, 0.0])).load("bad", load);
         let error = Body::new(body).err().unwrap().to_string();
         assert!(error.contains("load case \"bad\""), "{error}");
