@@ -9,6 +9,8 @@ const POINTS: usize = 100;
 const STEPS: usize = 1000;
 /// What lies above this is left to the numbers: the lowest cap of `rectangular-punch` is 1.1e-5 too high by the sums over the points.
 const CERTAIN: f64 = 0.9999;
+/// Square of what is round-off in a sum of slopes.
+const ROUND_OFF: f64 = 1e-24;
 
 /// Whether no pressure 0 <= p <= p_max has the resultants F_k = int psi_k p dS, by Farkas' lemma: there are multipliers with lambda . F = 1 and
 /// h(lambda) = p_max int max(lambda . psi, 0) dS < 1. h is convex; Polyak's steps along its subgradient find such multipliers.
@@ -35,11 +37,12 @@ pub(crate) fn is_too_low(stage: &Stage<'_>) -> bool {
         if value < CERTAIN {
             return true;
         }
-        // Along lambda . F = 1.
+        let whole: f64 = slope.iter().map(|g| g * g).sum();
+        // Along lambda . F = 1, where one mode has round-off alone.
         let off = slope.iter().zip(&load).map(|(g, f)| g * f).sum::<f64>() / size;
         slope.iter_mut().zip(&load).for_each(|(g, f)| *g -= off * f);
         let steepness: f64 = slope.iter().map(|g| g * g).sum();
-        if !(steepness > 0.0 && value.is_finite()) {
+        if !(steepness > ROUND_OFF * whole && value.is_finite()) {
             return false;
         }
         let step = (value - (2.0 * CERTAIN - 1.0)) / steepness;

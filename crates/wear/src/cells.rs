@@ -7,6 +7,7 @@ use crate::SurfacePoint;
 use crate::WearError;
 use crate::bracket::Bracket;
 use crate::density::Density;
+use crate::extremes::golden;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -18,6 +19,8 @@ const MOST_NODES: usize = 1_000_000;
 const SMOOTH: f64 = 0.03;
 /// Largest change of log h dA over a cell for the sake of the area alone; what a power of the pressure makes of a change does not count for areas.
 const AREAS: f64 = 2.0;
+/// What is round-off of f at s = 1, where it is a ratio less 1.
+pub(crate) const ROUND_OFF: f64 = 1e-12;
 /// Largest third difference of log p under a rule given as a function, so that a bend of p stands in a cell of 1e-4 of the surface, about.
 const BENT: f64 = 1e-4;
 
@@ -185,11 +188,14 @@ impl Line<'_, '_> {
         let place = |i: usize| cell.lo + length * (start + (stop - start) * i as f64 / (SAMPLES - 1) as f64);
         let samples: [Node; SAMPLES] = std::array::from_fn(|i| self.node(place(i)));
         let inside = samples.iter().filter(|node| node.f > 0.0).count();
+        if (1..SAMPLES).contains(&inside) {
+            return self.at_front(cell, top, &place, &samples);
+        }
+        if let Some(split) = self.at_hidden(cell, &place, &samples) {
+            return split;
+        }
         if inside == 0 {
             return Verdict::Empty;
-        }
-        if inside < SAMPLES {
-            return self.at_front(cell, top, &place, &samples);
         }
         self.at_kink(cell, &place, &samples).unwrap_or_else(|| self.by_smoothness(cell, top, &place, &samples))
     }
@@ -210,6 +216,16 @@ impl Line<'_, '_> {
         } else {
             Verdict::Take(marked)
         }
+    }
+
+    /// At s = 1, where all that a place carries depends on the sign of f: a cell whose samples have one sign is split at an inner extremum of the other.
+    fn at_hidden(&self, cell: &Interval, place: &dyn Fn(usize) -> f64, samples: &[Node; SAMPLES]) -> Option<Verdict> {
+        if !matches!(self.stage.law.density, Density::BangBang { .. }) {
+            return None;
+        }
+        let side = if samples[0].f > 0.0 { -1.0 } else { 1.0 };
+        let u = hidden(&samples.map(|node| side * node.f), place, &|u| side * self.node(u).f)?;
+        (u > cell.lo && u < cell.hi).then_some(Verdict::Halve(u, false))
     }
 
     /// A cell over the border of the cap, or over a pressure at which a wear rule bends: split there.
@@ -304,6 +320,28 @@ enum Verdict {
     Take(Interval),
     /// Split at the parameter; the flag marks a zero of f there.
     Halve(f64, bool),
+}
+
+/// Where between its samples, none of which is positive, a smooth function is largest, if it is positive there.
+pub(crate) fn hidden(samples: &[f64; SAMPLES], place: &dyn Fn(usize) -> f64, value: &dyn Fn(f64) -> f64) -> Option<f64> {
+    // Between them it rises by less than it varies over all of them; what is even up to round-off has no strip.
+    let spread = spread(samples);
+    if spread <= ROUND_OFF || samples[highest(samples)] + spread < 0.0 {
+        return None;
+    }
+    let (u, largest) = peak(samples, place, value);
+    (largest > ROUND_OFF).then_some(u)
+}
+
+/// The largest value of a smooth function next to the largest of its samples, with its place.
+pub(crate) fn peak(samples: &[f64; SAMPLES], place: &dyn Fn(usize) -> f64, value: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let highest = highest(samples);
+    let (u, largest) = golden(place(highest.saturating_sub(1)), place((highest + 1).min(SAMPLES - 1)), value);
+    if largest > samples[highest] { (u, largest) } else { (place(highest), samples[highest]) }
+}
+
+fn highest(samples: &[f64; SAMPLES]) -> usize {
+    (0..SAMPLES).fold(0, |best, i| if samples[i] > samples[best] { i } else { best })
 }
 
 /// Small fourth difference: the function is close to a cubic on the cell.

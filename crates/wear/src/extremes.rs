@@ -107,7 +107,7 @@ fn polished(stage: &Stage<'_>, nodes: &[Node], best: usize, sign: f64) -> (f64, 
 }
 
 /// The largest value between two places by golden section, and where.
-fn golden(mut lo: f64, mut hi: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
+pub(crate) fn golden(mut lo: f64, mut hi: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut a, mut b) = (hi - ratio * (hi - lo), lo + ratio * (hi - lo));
     let (mut fa, mut fb) = (value(a), value(b));

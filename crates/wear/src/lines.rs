@@ -3,13 +3,16 @@
 //! An outer cell is halved where the lines' integrals vary too much; it ends exactly where the end of contact moves from one border
 //! of the surface to another, and is graded towards such a place.
 
-use crate::cells::{Line, SAMPLES, Settings, cut_short, smooth};
+use crate::cells::{Line, ROUND_OFF, SAMPLES, Settings, cut_short, hidden, peak, smooth};
+use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
 
 /// Ratio of neighbouring cells next to a place where the end of contact changes border, and the smallest cell there.
 const GRADING: [f64; 2] = [0.15, 3e-3];
+/// Part of the surface below which an outer cell is not halved.
+const SHORTEST: f64 = 1e-7;
 
 /// An outer cell; `graded` marks ends at which the lines' integrals are not smooth.
 #[derive(Clone, Copy)]
@@ -49,10 +52,14 @@ impl Stage<'_> {
             let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             top = top.max(largest);
             let change = (1..SAMPLES).find(|i| profile[*i].ends != profile[*i - 1].ends);
-            if largest == f64::NEG_INFINITY && change.is_none() {
+            let empty = largest == f64::NEG_INFINITY && change.is_none();
+            let hidden = if empty && length >= SHORTEST * whole { self.hidden_border([lo, hi], inner) } else { None };
+            if empty && hidden.is_none() {
                 continue;
             }
-            let split = if length < 1e-7 * whole || largest < top - settings.drop {
+            let split = if hidden.is_some() {
+                hidden.map(|border| (border, true))
+            } else if length < SHORTEST * whole || largest < top - settings.drop {
                 None
             } else if let Some(i) = change {
                 Some((self.border([place(i - 1), place(i)], profile[i - 1].ends, inner), true))
@@ -90,6 +97,40 @@ impl Stage<'_> {
             if self.ends_in_contact(middle, inner) == before { a = middle } else { b = middle }
         }
         0.5 * (a + b)
+    }
+
+    /// Where between two lines the first or the last one carries at s = 1, if some lines do that lie between the places looked at.
+    fn hidden_border(&self, [lo, hi]: [f64; 2], inner: [f64; 2]) -> Option<f64> {
+        if !matches!(self.law.density, Density::BangBang { .. }) {
+            return None;
+        }
+        let ridge = |outer: f64| self.ridge(outer, inner);
+        let place = |i: usize| lo + (hi - lo) * i as f64 / (SAMPLES - 1) as f64;
+        let samples: [f64; SAMPLES] = std::array::from_fn(|i| ridge(place(i)));
+        let carries = match samples.iter().position(|f| *f > ROUND_OFF) {
+            Some(i) => place(i),
+            None => hidden(&samples, &place, &ridge)?,
+        };
+        let border = |end: f64| {
+            let (mut inside, mut outside) = (carries, end);
+            for _ in 0..60 {
+                let middle = 0.5 * (inside + outside);
+                if ridge(middle) > 0.0 { inside = middle } else { outside = middle }
+            }
+            outside
+        };
+        [(samples[SAMPLES - 1], hi), (samples[0], lo)]
+            .into_iter()
+            .filter(|(f, _)| *f <= 0.0)
+            .map(|(_, end)| border(end))
+            .find(|border| *border > lo && *border < hi)
+    }
+
+    /// Largest f on a line.
+    fn ridge(&self, outer: f64, inner: [f64; 2]) -> f64 {
+        let f = |u: f64| self.law.node(self.problem.surface.at(u, outer)).f;
+        let place = |i: usize| inner[0] + (inner[1] - inner[0]) * i as f64 / (SAMPLES - 1) as f64;
+        peak(&std::array::from_fn(|i| f(place(i))), &place, &f).1
     }
 
     /// Which of the two ends of a line have f > 0.
