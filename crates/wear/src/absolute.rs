@@ -5,9 +5,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::WearError;
-use crate::balance::Balanced;
+use crate::balance::{BOUNDED, Balanced};
 use crate::bracket::Bracket;
-use crate::cells::{cut_short, whole};
+use crate::cells::{BEYOND, is_beyond, whole};
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
@@ -15,6 +15,8 @@ use crate::stage::Stage;
 const ITERATIONS: usize = 60;
 const STEP: f64 = 1e-5;
 const TOLERANCE: f64 = 2e-14;
+/// Part of the load that is missing where a wear rule is at its bound, as a logarithm.
+const SHORT: f64 = 1e-6;
 /// Largest residual of an answer.
 const LARGEST: f64 = 1e-10;
 
@@ -66,6 +68,7 @@ pub(crate) fn balance_absolute(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> 
     }
     here = residual(stage, nodes, &free);
     whole(nodes)?;
+    stage.affordable()?;
     let size = here.amax();
     if size.is_nan() || size > LARGEST.max(known_to(stage, nodes)) {
         return Err(WearError::NotConverged { iterations, residual: size });
@@ -99,8 +102,7 @@ fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVe
     if matches!(stage.law.density, Density::Receding { .. }) {
         stage.settle_recession(nodes);
     }
-    stage.collect(nodes);
-    if cut_short(nodes) {
+    if !stage.collect_within_reason(nodes) {
         return DVector::from_element(free.len() + 1, f64::NAN);
     }
     let target = stage.law.resultant(stage.law.pivot);
@@ -111,6 +113,10 @@ fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVe
         for (row, j) in free.iter().enumerate() {
             values[row + 1] += stage.law.reduced(&node.modes.psi, *j) * share;
         }
+    }
+    if is_beyond(nodes) && matches!(stage.law.density, Density::Given(_)) {
+        values[0] = BEYOND;
+        return values;
     }
     values[0] = if values[0] > 0.0 { values[0].ln() } else { -700.0 };
     values
@@ -156,6 +162,14 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         }
         let c = root.next();
         root.take(c, at(stage, nodes, c));
+    }
+    // A rule at its bound: below it less is carried, and beyond it there is no pressure.
+    if at(stage, nodes, root.a.max(root.b)) >= BEYOND {
+        let low = root.a.min(root.b);
+        if at(stage, nodes, low) < -SHORT && stage.law.count == 1 {
+            return Err(stage.infeasible(BOUNDED));
+        }
+        root.b = low;
     }
     stage.law.log_scale = root.b;
     Ok(())

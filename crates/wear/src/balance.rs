@@ -18,6 +18,25 @@ pub(crate) struct Balanced {
 /// Why a load has no stationary pressure below s = 1: with one mode.
 pub(crate) const ALL_CLOSED: &str = "with s < 1 the stationary pressure needs a load that closes every point of the surface";
 
+/// Why a rule whose rate stays below a bound has no steady pressure.
+pub(crate) const BOUNDED: &str = "the wear rate stays below a bound, and the pressure carries less than that wherever the rate is below it by more than round-off";
+
+/// Largest part of a resultant that an answer may miss; what ends with less has a smaller one of its own.
+const MISSED: f64 = 1e-6;
+
+/// Refuses nodes whose pressure does not carry the load.
+pub(crate) fn carried(stage: &Stage<'_>, nodes: &[Node], balanced: &Balanced) -> Result<(), WearError> {
+    let total = sums(stage, nodes);
+    let log_factor = total.shift + if stage.law.absolute { 0.0 } else { balanced.log_scale };
+    let missed = |k: usize| {
+        let terms = nodes.iter().map(|node| node.modes.psi[k].abs() * (node.log_h + node.point.weight.ln() - total.shift).exp());
+        let (load, force) = (stage.law.resultant(k), total.force[k] * log_factor.exp());
+        (force - load).abs() / (load.abs() + terms.sum::<f64>() * log_factor.exp())
+    };
+    let residual = (0..stage.law.count).map(missed).fold(0.0, f64::max);
+    if residual > MISSED { Err(WearError::NotConverged { iterations: balanced.iterations, residual }) } else { Ok(()) }
+}
+
 /// Solves the balance for a density known up to a factor (`Power`, `Mixed`, `Exponential`).
 pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     stage.collect(nodes);

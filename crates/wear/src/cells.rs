@@ -16,6 +16,10 @@ use crate::surface::{Shape, Surface};
 pub(crate) const SAMPLES: usize = 5;
 /// Nodes of a surface beyond which no more are added: the density is steeper than a run should pay for (some 300 MB).
 const MOST_NODES: usize = 1_000_000;
+/// Nodes of all collections of a solve beyond which it ends: some ten seconds under a rule that is a function.
+const MOST_MADE: usize = 10_000_000;
+/// Logarithm of a pressure beyond all numbers.
+pub(crate) const BEYOND: f64 = 690.0;
 const SMOOTH: f64 = 0.03;
 /// Largest change of log h dA over a cell for the sake of the area alone; what a power of the pressure makes of a change does not count for areas.
 const AREAS: f64 = 2.0;
@@ -47,6 +51,11 @@ impl Surface {
 /// Whether a collection ended for its number of nodes, so that part of the surface is missing from it.
 pub(crate) fn cut_short(nodes: &[Node]) -> bool {
     nodes.len() >= MOST_NODES
+}
+
+/// Whether a pressure is beyond all numbers, as under a wear rule that does not reach the rate asked for.
+pub(crate) fn is_beyond(nodes: &[Node]) -> bool {
+    nodes.iter().any(|node| node.log_h >= BEYOND)
 }
 
 /// Refuses a collection that [`cut_short`] says is incomplete.
@@ -109,6 +118,22 @@ impl Stage<'_> {
             }
             Some(outer) => self.collect_lines([outer, inner], settings, front, nodes),
         }
+    }
+
+    /// The same, and whether nothing is missing: a collection may be cut short, and all of a solve have a number of nodes that is the last.
+    pub(crate) fn collect_within_reason(&mut self, nodes: &mut Vec<Node>) -> bool {
+        nodes.clear();
+        if self.affordable().is_err() {
+            return false;
+        }
+        self.collect(nodes);
+        self.made += nodes.len();
+        !cut_short(nodes)
+    }
+
+    /// Refuses to go on where a solve has made too many nodes.
+    pub(crate) fn affordable(&self) -> Result<(), WearError> {
+        if self.made < MOST_MADE { Ok(()) } else { Err(WearError::TooSteep { nodes: MOST_MADE }) }
     }
 
     /// Adds the nodes of one line of a surface with two parameters, with the area per unit of the outer parameter as weight.
@@ -267,7 +292,11 @@ impl Line<'_, '_> {
         let plain: [f64; SAMPLES] = std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
         let density: [f64; SAMPLES] = std::array::from_fn(|i| samples[i].log_h - self.settings.exponent * distance(i));
         // The pressure of a rule given as a function may bend where f does not.
-        let given = matches!(self.stage.law.density, Density::Given(_)) && cell.front == [false, false];
+        let given = matches!(self.stage.law.density, Density::Given(_));
+        if given && largest >= BEYOND {
+            return Verdict::Take(*cell);
+        }
+        let given = given && cell.front == [false, false];
         if given && bends(&log_h) {
             return Verdict::Halve(0.5 * (cell.lo + cell.hi), false);
         }

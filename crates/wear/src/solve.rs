@@ -2,7 +2,7 @@
 
 use crate::WearError;
 use crate::absolute::balance_absolute;
-use crate::balance::{Balanced, balance};
+use crate::balance::{Balanced, balance, carried};
 use crate::cap::is_too_low;
 use crate::continuation::balance_by_continuation;
 use crate::density::Density;
@@ -18,6 +18,7 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
         Err(error) if turn::may_help(stage, &error) => turned(stage, nodes, cap),
         other => other,
     };
+    let balanced = balanced.and_then(|balanced| carried(stage, nodes, &balanced).map(|()| balanced));
     // Whatever the search for multipliers has ended with, this is why.
     match balanced {
         Err(_) if is_too_low(stage) => Err(stage.infeasible("the load is larger than the surface carries under p_max")),

@@ -16,6 +16,8 @@ pub(crate) struct Stage<'a> {
     pub(crate) front_rule: Option<Rule>,
     /// Whether the density only leads to another one.
     pub(crate) on_the_way: bool,
+    /// Nodes made for absolute laws so far.
+    pub(crate) made: usize,
 }
 
 impl<'a> Stage<'a> {
@@ -72,7 +74,7 @@ impl<'a> Stage<'a> {
         } else {
             (ends && exponent > 0.0 && exponent <= 6.0).then(|| jacobi(exponent - 1.0))
         };
-        Ok(Self { problem, law, front_rule, on_the_way: false })
+        Ok(Self { problem, law, front_rule, on_the_way: false, made: 0 })
     }
 
     /// True when f <= 0 somewhere among the ends and coarse points of the surface.

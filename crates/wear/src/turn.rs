@@ -5,9 +5,9 @@
 //! psi = phi. Where friction bends (psi != phi, kinematic modes) lambda may point anywhere.
 
 use crate::WearError;
-use crate::balance::Balanced;
+use crate::balance::{BOUNDED, Balanced};
 use crate::bracket::Bracket;
-use crate::cells::cut_short;
+use crate::cells::{BEYOND, is_beyond};
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::singular;
@@ -22,6 +22,10 @@ const TRIES: i32 = 80;
 const GRADING: f64 = 0.4;
 /// Largest relative residual of a balance.
 const BALANCED: f64 = 1e-10;
+/// Largest relative difference of what an absolute law carries from the load: steep laws know it less well than its direction.
+const SIZED: f64 = 1e-8;
+/// Part of the load that is missing where a wear rule is at its bound.
+const SHORT: f64 = 1e-6;
 /// Part of f at which a pressure that grows towards f = 0 is a force on the edge.
 const AT_THE_EDGE: f64 = 1e-3;
 const NO_MOTION: &str = "the friction holds body 1: no rigid motion of it wears the surface under this load (jammed)";
@@ -48,7 +52,7 @@ pub(crate) fn may_help(stage: &Stage<'_>, error: &WearError) -> bool {
 pub(crate) fn balance_by_turning(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     stage.law.absolute |= !stage.law.density.scale_free();
     let everywhere = stage.law.density.front_exponent() < 0.0;
-    let mut turn = Turn { stage, nodes, everywhere, tried: 0 };
+    let mut turn = Turn { stage, nodes, everywhere, tried: 0, bounded: false };
     let mut last = WearError::NotConverged { iterations: 0, residual: f64::INFINITY };
     let mut found = false;
     for range in turn.ranges() {
@@ -60,6 +64,7 @@ pub(crate) fn balance_by_turning(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -
             }
         }
     }
+    turn.stage.affordable()?;
     Err(if found { last } else { turn.stage.infeasible(NO_MOTION) })
 }
 
@@ -69,6 +74,8 @@ struct Turn<'a, 'b> {
     /// Whether every point has to close (s < 1), not only some.
     everywhere: bool,
     tried: usize,
+    /// Whether the scale of the last direction ends where a wear rule is at its bound.
+    bounded: bool,
 }
 
 /// The resultant of a pressure relative to the load: cosine and sine of the angle between them, and the logarithm of their ratio.
@@ -175,10 +182,15 @@ impl Turn<'_, '_> {
     /// The balance at a direction; none where the resultant points against the load.
     fn balanced(&mut self, angle: f64) -> Option<Result<Balanced, WearError>> {
         let found = self.resultant(angle)?;
-        let residual = found.across.abs();
         if found.along <= 0.0 {
             return None;
         }
+        // What an absolute law carries has a size of its own.
+        let missed = if self.stage.law.absolute { found.log_size.exp_m1() } else { 0.0 };
+        if missed < -SHORT && self.bounded {
+            return Some(Err(self.stage.infeasible(BOUNDED)));
+        }
+        let residual = if missed.abs() > SIZED { missed.abs() } else { found.across.abs() };
         if residual > BALANCED {
             return Some(Err(WearError::NotConverged { iterations: self.tried, residual }));
         }
@@ -203,11 +215,13 @@ impl Turn<'_, '_> {
             if root.value_b == 0.0 || (root.b - root.a).abs() <= 1e-15 * root.b.abs().max(1.0) {
                 break;
             }
-            let c = root.next();
+            let beyond = root.value_a.max(root.value_b) >= 0.5 * BEYOND;
+            let c = if beyond { 0.5 * (root.a + root.b) } else { root.next() };
             let value = self.size_at(c);
             root.take(c, value);
         }
-        self.size_at(root.b);
+        self.bounded = self.size_at(root.a.max(root.b)) >= BEYOND;
+        self.size_at(if self.bounded { root.a.min(root.b) } else { root.b });
         self.measured()
     }
 
@@ -235,13 +249,13 @@ impl Turn<'_, '_> {
         if matches!(self.stage.law.density, Density::Receding { .. }) {
             self.stage.settle_recession(self.nodes);
         }
-        self.measured().map_or(-700.0, |found| found.log_size)
+        let size = self.measured().map_or(-700.0, |found| found.log_size);
+        if is_beyond(self.nodes) { BEYOND } else { size }
     }
 
     /// The resultant of the present law.
     fn measured(&mut self) -> Option<Resultant> {
-        self.stage.collect(self.nodes);
-        if cut_short(self.nodes) {
+        if !self.stage.collect_within_reason(self.nodes) {
             return None;
         }
         let total = sums(self.stage, self.nodes);

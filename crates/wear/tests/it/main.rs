@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod benchmarks;
+mod bounded;
 mod caps;
 mod engineering;
 mod extreme;
