@@ -6,6 +6,11 @@ use nalgebra::Vector3;
 
 use crate::{SlidingMotion, SurfacePoint, WearError};
 
+/// Largest difference of the length of a unit vector of a listed point from 1: coordinates may be single precision.
+const UNIT: f64 = 1e-6;
+/// Round-off of a full turn.
+const TURN: f64 = 1e-9;
+
 /// Geometry of a contact surface. Lengths in mm, angles in rad.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
@@ -71,8 +76,8 @@ impl Surface {
     /// A list of points, taken as it is: its weights are the quadrature.
     ///
     /// # Errors
-    /// [`WearError::EmptySurface`] without points or without area; [`WearError::OutOfRange`] for a weight or a speed below 0, and numbers that are
-    /// not finite.
+    /// [`WearError::EmptySurface`] without points or without area; [`WearError::OutOfRange`] for a weight or a speed below 0, a normal that is not of
+    /// unit length, a drag that is neither that nor zero (both up to 1e-6), and numbers that are not finite.
     pub fn from_points(points: Vec<SurfacePoint>) -> Result<Self, WearError> {
         for point in &points {
             finite("place, normal or drag of a point", &[point.position, point.normal, point.drag])?;
@@ -80,6 +85,15 @@ impl Surface {
                 if !(value >= 0.0 && value.is_finite()) {
                     return Err(WearError::OutOfRange { name, value, wanted: ">= 0 and finite" });
                 }
+            }
+            let unit = |vector: &Vector3<f64>| (vector.norm() - 1.0).abs() <= UNIT;
+            if !unit(&point.normal) {
+                let (name, value) = ("length of the normal of a point", point.normal.norm());
+                return Err(WearError::OutOfRange { name, value, wanted: "1" });
+            }
+            if !(unit(&point.drag) || point.drag == Vector3::zeros()) {
+                let (name, value) = ("length of the drag of a point", point.drag.norm());
+                return Err(WearError::OutOfRange { name, value, wanted: "1, or 0 where nothing slides" });
             }
         }
         let area: f64 = points.iter().map(|point| point.weight).sum();
@@ -92,8 +106,8 @@ impl Surface {
     /// A parametric surface with the motion of body 2 over it.
     ///
     /// # Errors
-    /// [`WearError::OutOfRange`] for lengths, angles and radii that span nothing or are not finite; [`WearError::EmptySurface`] for points
-    /// without area.
+    /// [`WearError::OutOfRange`] for lengths, angles and radii that span nothing or are not finite, and for angles over more than a full turn;
+    /// [`WearError::EmptySurface`] for points without area.
     pub fn new(shape: Shape, motion: SlidingMotion) -> Result<Self, WearError> {
         finite("sliding motion", &[motion.velocity, motion.angular_velocity, motion.about])?;
         let surface = Self { shape, motion, track_area: None };
@@ -104,13 +118,20 @@ impl Surface {
                 Err(WearError::OutOfRange { name, value, wanted: "> 0 and finite" })
             }
         };
+        let angle = |name, angles: &[f64; 2]| {
+            let value = angles[1] - angles[0];
+            if value > TAU * (1.0 + TURN) && value.is_finite() {
+                return Err(WearError::OutOfRange { name, value, wanted: "at most a full turn" });
+            }
+            positive(name, value)
+        };
         match &surface.shape {
             Shape::Points(points) => return Self::from_points(points.clone()),
             Shape::Arc { radius, angles, thickness, centre, .. } => {
                 finite("centre", &[*centre])?;
                 positive("radius", *radius)?;
                 positive("thickness", *thickness)?;
-                positive("angle of the arc", angles[1] - angles[0])?;
+                angle("angle of the arc", angles)?;
             }
             Shape::Strip { x, thickness, z } => {
                 finite("height of the strip", &[Vector3::new(0.0, 0.0, *z)])?;
@@ -124,7 +145,7 @@ impl Surface {
                 }
                 positive("width of the ring", radii[1] - radii[0])?;
                 if let Shape::Sector { angles, .. } = &surface.shape {
-                    positive("angle of the sector", angles[1] - angles[0])?;
+                    angle("angle of the sector", angles)?;
                 }
             }
             Shape::Rectangle { x, y } => {

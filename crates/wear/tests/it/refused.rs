@@ -64,6 +64,34 @@ fn surfaces_of_no_numbers_are_refused_by_name() {
     assert_eq!(refused(arc, 5.0), "centre");
 }
 
+/// Normals that are none scaled the load: of 10 N half was carried by normals of length 2.
+#[test]
+fn directions_that_are_no_unit_vectors_and_more_than_a_full_turn_are_refused_by_name() {
+    let point =
+        SurfacePoint { position: Vector3::zeros(), normal: Vector3::z(), weight: 1.0, sliding_speed: 5.0, drag: Vector3::x() };
+    let listed = |wrong| Surface::from_points(vec![point, wrong]);
+    for length in [0.0, 0.5, 2.0, 1.0 + 1e-4] {
+        let wrong = SurfacePoint { normal: length * Vector3::z(), ..point };
+        assert_eq!(named(listed(wrong).unwrap_err()), "length of the normal of a point");
+    }
+    for length in [1e-3, 5.0] {
+        let wrong = SurfacePoint { drag: length * Vector3::x(), ..point };
+        assert_eq!(named(listed(wrong).unwrap_err()), "length of the drag of a point");
+    }
+    assert!(listed(SurfacePoint { drag: Vector3::zeros(), ..point }).is_ok());
+    assert!(listed(SurfacePoint { normal: (1.0 + 1e-7) * Vector3::z(), ..point }).is_ok());
+    let motion = SlidingMotion::about_z(1.0);
+    let turn = std::f64::consts::TAU;
+    let sector = |angle: f64| Surface::new(Shape::Sector { radii: [1.0, 2.0], angles: [-1.0, angle - 1.0] }, motion);
+    let centre = Vector3::zeros();
+    let arc = |angle: f64| {
+        Surface::new(Shape::Arc { radius: 1.0, centre, angles: [0.0, angle], thickness: 1.0, internal: true }, motion)
+    };
+    assert_eq!(named(sector(1.01 * turn).unwrap_err()), "angle of the sector");
+    assert_eq!(named(arc(7.0).unwrap_err()), "angle of the arc");
+    assert!(sector(turn).is_ok() && sector(turn * (1.0 + 1e-12)).is_ok() && arc(turn).is_ok());
+}
+
 #[test]
 fn modes_tracks_and_rules_of_no_numbers_are_refused_by_name() {
     let base = tilted(1.5, 100.0);
