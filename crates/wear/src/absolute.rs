@@ -5,12 +5,13 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::WearError;
-use crate::balance::{BOUNDED, Balanced};
+use crate::balance::Balanced;
 use crate::bracket::Bracket;
 use crate::cells::{BEYOND, is_beyond, whole};
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
+use crate::why::{BELOW, BOUNDED};
 
 const ITERATIONS: usize = 60;
 const STEP: f64 = 1e-5;
@@ -145,7 +146,7 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         if step.abs() > farthest {
             let below = matches!(stage.law.density, Density::Given(_)) && fb > 0.0;
             return Err(stage.infeasible(if below {
-                "the whole surface stays below the threshold of the wear rule, where nothing moves"
+                BELOW
             } else if stage.problem.p_max.is_none() {
                 "friction carries it, or q is so large that its pressure is that of an infinite q"
             } else {

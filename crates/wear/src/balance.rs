@@ -7,6 +7,7 @@ use crate::newton::newton;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
 use crate::sums::sums;
+use crate::why::{ALL_CLOSED, AT_THE_AXIS};
 
 /// Multipliers found: the stage holds y; log p = log_scale + log h at every node.
 pub(crate) struct Balanced {
@@ -14,12 +15,6 @@ pub(crate) struct Balanced {
     pub(crate) iterations: usize,
     pub(crate) residual: f64,
 }
-
-/// Why a load has no stationary pressure below s = 1: with one mode.
-pub(crate) const ALL_CLOSED: &str = "with s < 1 the stationary pressure needs a load that closes every point of the surface";
-
-/// Why a rule whose rate stays below a bound has no steady pressure.
-pub(crate) const BOUNDED: &str = "the wear rate stays below a bound, and the pressure carries less than that wherever the rate is below it by more than round-off";
 
 /// Largest part of a resultant that an answer may miss; what ends with less has a smaller one of its own.
 const MISSED: f64 = 1e-6;
@@ -59,7 +54,7 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
         && speed_power >= 2.0
         && stage.problem.surface.reaches_axis()
     {
-        return Err(stage.infeasible("the pressure is not integrable at the axis of rotation"));
+        return Err(stage.infeasible(AT_THE_AXIS));
     }
     let total = sums(stage, nodes);
     let pivot = stage.law.pivot;

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::mode::{RigidMode, RigidMotion};
+use crate::why::opening;
 
 /// Wrong input, or a problem that has no answer. Every message carries the numbers that led to it.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -34,8 +35,8 @@ pub enum WearError {
         /// The reason.
         why: &'static str,
     },
-    /// No pressure p >= 0 on the surface carries the prescribed resultants.
-    #[error("no pressure p >= 0 balances the load of {}: {why}", resultants(modes))]
+    /// No pressure p >= 0 on the surface carries the prescribed resultants, none that is stationary does, or one of many: the message says which.
+    #[error("{} of {}: {why}", opening(why), resultants(modes))]
     Infeasible {
         /// The modes with their prescribed resultants.
         modes: Vec<RigidMode>,

@@ -53,6 +53,7 @@ mod table;
 mod threshold;
 mod tracks;
 mod turn;
+mod why;
 
 /// Vectors of surfaces and motions.
 pub use nalgebra;

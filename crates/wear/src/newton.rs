@@ -7,6 +7,7 @@ use crate::pressure_law::{ModeValues, Node};
 use crate::singular;
 use crate::stage::Stage;
 use crate::sums::sums;
+use crate::why::ON_THE_EDGE;
 use crate::{Modes, WearError};
 
 const ITERATIONS: usize = 100;
@@ -96,9 +97,6 @@ impl Search<'_> {
         false
     }
 }
-
-/// Why a moment has no stationary pressure below s = 1.
-pub(crate) const ON_THE_EDGE: &str = "with s < 1 no stationary pressure carries this moment (its limit has a force on the edge)";
 
 /// No pressure at all carries the load.
 fn not_carried(stage: &Stage<'_>) -> WearError {

@@ -1,8 +1,6 @@
 //! From a problem to its answer.
 
-use crate::balance::ALL_CLOSED;
 use crate::density::Density;
-use crate::newton::ON_THE_EDGE;
 use crate::ratio;
 use crate::reduce::{Task, reduce};
 use crate::report::report;
@@ -10,6 +8,7 @@ use crate::singular::{LimitSide, limit};
 use crate::singular_report::singular_report;
 use crate::solve::balance_any;
 use crate::stage::Stage;
+use crate::why::{ALL_CLOSED, ON_THE_EDGE};
 use crate::{Optimum, Problem, Regime, WearError};
 
 /// Optimal pressure of a problem: the stationary pressure of its functional, the steady state, or the limit where there is no pressure.

@@ -92,6 +92,21 @@ impl Problem {
         for rule in &self.wear.rules {
             rule.check()?;
         }
-        Ok(())
+        self.check_rates()
+    }
+
+    /// Refuses functions whose rates are no numbers, at a few pressures and the speeds of the surface.
+    fn check_rates(&self) -> Result<(), WearError> {
+        let mut wrong = None;
+        self.surface.survey(&mut |point| {
+            for rule in self.wear.rules.iter().filter(|rule| matches!(rule, Rule::Own(_)) && point.sliding_speed > 0.0) {
+                let rates = [1e-3, 1.0, 1e3].map(|pressure| rule.rate(pressure, point.sliding_speed));
+                // Large pressures may wear without a bound.
+                wrong =
+                    wrong.or(rates.into_iter().find(|rate| rate.is_nan())).or(Some(rates[0]).filter(|rate| rate.is_infinite()));
+            }
+        });
+        let name = "rate of a wear rule given as a function";
+        wrong.map_or(Ok(()), |value| Err(WearError::OutOfRange { name, value, wanted: "finite" }))
     }
 }

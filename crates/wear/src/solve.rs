@@ -1,14 +1,16 @@
 //! The balance for any density, under the pressure cap if there is one.
 
-use crate::WearError;
 use crate::absolute::balance_absolute;
 use crate::balance::{Balanced, balance, carried};
 use crate::cap::is_too_low;
+use crate::cells::BEYOND;
 use crate::continuation::balance_by_continuation;
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
 use crate::turn;
+use crate::why::AT_REST;
+use crate::{Shape, WearError};
 
 /// Solves the balance for any density, under the pressure cap if there is one: by Newton's method, and where that fails for two modes by
 /// the direction of their multipliers.
@@ -21,9 +23,18 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
     let balanced = balanced.and_then(|balanced| carried(stage, nodes, &balanced).map(|()| balanced));
     // Whatever the search for multipliers has ended with, this is why.
     match balanced {
+        Err(_) if at_rest(stage) => Err(stage.infeasible(AT_REST)),
         Err(_) if is_too_low(stage) => Err(stage.infeasible("the load is larger than the surface carries under p_max")),
         other => other,
     }
+}
+
+/// Whether some listed point does not slide while the pressure goes beyond all bounds with a falling speed.
+fn at_rest(stage: &Stage<'_>) -> bool {
+    let Shape::Points(points) = stage.problem.surface.shape() else { return false };
+    let rests = points.iter().any(|point| point.sliding_speed == 0.0 && point.weight > 0.0);
+    let unbounded = || stage.law.density.log_shape(0.0, f64::NEG_INFINITY, f64::NEG_INFINITY).0 >= BEYOND;
+    rests && stage.problem.p_max.is_none() && unbounded()
 }
 
 /// By the direction of the multipliers: the state without the cap where it stays below it, else the state under the cap.

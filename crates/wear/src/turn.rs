@@ -5,7 +5,7 @@
 //! psi = phi. Where friction bends (psi != phi, kinematic modes) lambda may point anywhere.
 
 use crate::WearError;
-use crate::balance::{BOUNDED, Balanced};
+use crate::balance::Balanced;
 use crate::bracket::Bracket;
 use crate::cells::{BEYOND, is_beyond};
 use crate::density::Density;
@@ -13,6 +13,7 @@ use crate::pressure_law::Node;
 use crate::singular;
 use crate::stage::Stage;
 use crate::sums::sums;
+use crate::why::BOUNDED;
 
 /// Directions of the first search, over the whole turn.
 const DIRECTIONS: usize = 360;

@@ -120,3 +120,33 @@ fn modes_tracks_and_rules_of_no_numbers_are_refused_by_name() {
     }
     assert_eq!(Groove::new(5.0, &[0.0, 1.0]).depth(&[], 0.0), 0.0);
 }
+
+#[test]
+fn reasons_speak_of_the_pressures_that_they_are_true_of() {
+    let point =
+        SurfacePoint { position: Vector3::x(), normal: Vector3::z(), weight: 1.0, sliding_speed: 5.0, drag: Vector3::x() };
+    let rests = SurfacePoint { position: -Vector3::x(), sliding_speed: 0.0, drag: Vector3::zeros(), ..point };
+    let listed = Surface::from_points(vec![point, rests]).unwrap();
+    let law = WearLaw { factor: 1e-7, speed_exponent: 1.0, pressure_exponent: 1.0 };
+    let one = vec![RigidMode::press_down(10.0)];
+    let two = vec![RigidMode::press_down(10.0), RigidMode::tilt(1.0, Vector3::zeros())];
+    let words = |problem: &Problem| optimal_pressure(problem).unwrap_err().to_string();
+    for modes in [one.clone(), two.clone()] {
+        let said = words(&Problem::new(listed.clone(), law, modes));
+        assert!(said.starts_with("no stationary pressure") && said.contains("does not slide"), "{said}");
+    }
+    // Without the speed in the rule the point counts like another.
+    let evenly = WearLaw { speed_exponent: 0.0, ..law };
+    assert!(optimal_pressure(&Problem::new(listed, evenly, two.clone())).is_ok());
+    for modes in [one.clone(), two] {
+        let error = optimal_pressure(&Problem::new(punch(), OwnRule::new(|_, _| [f64::NAN; 2]), modes)).unwrap_err();
+        assert_eq!(named(error), "rate of a wear rule given as a function");
+    }
+    let below = WearPair::alone(law).above([1.0, 0.0]);
+    let said = words(&Problem { wear: below, ..Problem::new(punch(), law, one) });
+    assert!(said.starts_with("more than one pressure"), "{said}");
+    let said = words(&tilted(-1.0, 24_000.0));
+    assert!(said.starts_with("no stationary pressure"), "{said}");
+    let said = words(&tilted(2.0, 40_000.0));
+    assert!(said.starts_with("no pressure p >= 0"), "{said}");
+}
