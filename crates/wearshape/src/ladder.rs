@@ -3,13 +3,11 @@
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-use scene::Fault;
-
 use crate::fixed;
 use crate::level::Level;
 use crate::options::Options;
-use crate::parts::NO_STIFFNESS;
 use crate::problem::Problem;
+pub(crate) use crate::refusal::Refusal;
 use crate::series::{SLOWEST, is_chance, rest, rest_after};
 use crate::solution::Rung;
 use crate::step::Step;
@@ -33,27 +31,6 @@ const WILD: f64 = 100.0;
 
 /// Levels from which an error can be estimated: every solve climbs them, or all that there are.
 pub(crate) const LEAST: usize = 3;
-
-/// Why a step has no result.
-pub(crate) enum Refusal {
-    /// The scene has no answer: a sentence for the summary.
-    Reason(String),
-    /// A level has none that a finer one may have.
-    TooCoarse(String),
-    /// The user's to mend.
-    Fault(Fault),
-}
-
-impl From<Fault> for Refusal {
-    fn from(fault: Fault) -> Refusal {
-        // Nothing in the scene is wrong, and the digits do not suffice: that only elimination tells.
-        let body = fault.key.as_deref().filter(|_| fault.code == NO_STIFFNESS).and_then(|key| key.split_once('.'));
-        match body {
-            Some((body, _)) => Refusal::Reason(format!("{body}: {}; {}", fault.message, fault.remedy)),
-            None => Refusal::Fault(fault),
-        }
-    }
-}
 
 /// The levels to solve.
 #[derive(Debug, Clone)]
@@ -95,9 +72,9 @@ impl Ladder {
     }
 
     /// The same from the next level on, if enough are left to tell an error.
-    pub(crate) fn from_finer(&self) -> Option<Ladder> {
-        let finer = || Ladder { levels: self.levels[1..].to_vec(), usual: self.usual - 1, ..self.clone() };
-        (!self.is_fixed() && self.usual > LEAST).then(finer)
+    pub(crate) fn finer(&self) -> Option<Ladder> {
+        let next = || Ladder { levels: self.levels[1..].to_vec(), usual: self.usual - 1, ..self.clone() };
+        (!self.is_fixed() && self.usual > LEAST).then(next)
     }
 
     /// The same with further degrees for what is nearly there.

@@ -36,6 +36,7 @@ mod path_profile;
 mod plan;
 mod problem;
 mod profile;
+mod refusal;
 mod remark;
 mod results;
 mod reversing_result;

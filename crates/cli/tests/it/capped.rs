@@ -66,3 +66,32 @@ fn nothing_is_called_a_minimum_or_maximum_that_is_none() {
         assert!(summary["lints"].to_string().contains(note), "{optimum}: {}", summary["lints"]);
     }
 }
+
+/// Where the pressure begins to be held down between the middle and the end of the surface, cells are as high there as they are near to its end.
+#[test]
+fn a_cap_near_the_end_of_the_surface_leaves_a_small_error() {
+    let bench = Bench::new();
+    for cap in [5.02, 5.1, 5.2] {
+        let cap_is = format!("optimum.p_max={cap}");
+        let mesh = ["--set", "mesh.degree=8", "--set", "mesh.layers=8"];
+        let call = bench.call_with(&[&["run", "drum-brake-block", "-q", "--set", &cap_is][..], &mesh].concat());
+        assert_eq!(call.code, 0, "{}", call.err);
+        let told = bench.summary("drum-brake-block")["error"]["gap_relative"].as_f64().unwrap();
+        assert!(told < 1e-5, "{cap}: {told}");
+    }
+}
+
+/// The pressure has a kink where it passes one at which the rule bends; the shape has nodes there, and its proof gives the pressure back.
+#[test]
+fn a_shape_by_a_rule_that_bends_is_proved() {
+    let bench = Bench::new();
+    for rule in [
+        "wear.law={severe={mild=1e-10,above=5,severe=6e-10}}",
+        "wear.table=[[1,1e-10],[4,2e-10],[4.5,2.5e-10],[5,3e-10],[8,8e-10]]",
+    ] {
+        let call = bench.call_with(&["run", "drum-brake-block", "-q", "--set", "wear={a=1}", "--set", rule]);
+        assert_eq!(call.code, 0, "{rule}: {}{}", call.out, call.err);
+        let same = bench.summary("drum-brake-block")["shape"]["roundtrip_same"].as_f64().unwrap();
+        assert!(same < 1e-8, "{rule}: {same}");
+    }
+}

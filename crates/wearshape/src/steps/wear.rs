@@ -64,16 +64,13 @@ pub(crate) use self::round::RoundWear;
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let (pieces, work) = turns::pieces(stage)?;
     let (ends, search) = if stage.grows() { grown::nodes(stage, &pieces)? } else { final_ends::final_ends(stage, &pieces)? };
-    let mut ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
-    let first = stage.options.resume.and_then(|resume| resume.finished.first());
-    while first.is_some_and(|first| ladder.levels[0].degree < first.degree)
-        && let Some(finer) = ladder.from_finer()
-    {
-        ladder = finer;
-    }
+    let mut ladder = levels(stage);
+    // A level that an earlier run did not finish may be any.
+    let within = stage.options.resume.is_some_and(|resume| resume.finished.is_empty() && !resume.states.is_empty());
     let (mut outcome, mut effort) = loop {
-        match (solve_at(stage, &pieces, (&ladder, &ends), watch), ladder.from_finer()) {
+        match (solve_at(stage, &pieces, (&ladder, &ends), watch), ladder.finer()) {
             (Err(Refusal::TooCoarse(_)), Some(finer)) => ladder = finer,
+            (Err(Refusal::Fault(_)), Some(finer)) if within => ladder = finer,
             (done, _) => break done?,
         }
     };
@@ -83,13 +80,24 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     Ok((outcome, effort))
 }
 
+/// The levels of a run: of one that goes on with another those from the first that this has finished.
+fn levels(stage: Stage<'_>) -> Ladder {
+    let known = stage.options.resume.and_then(|resume| resume.finished.first());
+    let mut ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
+    while known.is_some_and(|first| ladder.levels[0].degree < first.degree)
+        && let Some(finer) = ladder.finer()
+    {
+        ladder = finer;
+    }
+    ladder
+}
+
+/// The levels of a run, and the places that are known.
+type On<'a> = (&'a Ladder, &'a [f64]);
+
 /// The same on meshes with nodes at places that are known, from -1 to 1 along the surface, or at those that the first level finds.
-fn solve_at(
-    stage: Stage<'_>,
-    pieces: &Pieces,
-    (ladder, known_ends): (&Ladder, &[f64]),
-    watch: &mut Watch<'_>,
-) -> Result<(Outcome, Effort), Refusal> {
+fn solve_at(stage: Stage<'_>, pieces: &Pieces, on: On<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+    let (ladder, known_ends) = on;
     let (known, mut states) = taken_up(stage, ladder)?;
     let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
     let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
@@ -131,8 +139,7 @@ fn solve_at(
     if let Some((count, _)) = found.filter(|(count, _)| *count < levels || given_up.is_some()) {
         // Run again, so that the recording holds the level that is reported, also where this run has gone on with another.
         solved.truncate(count);
-        let again = run(ladder.levels[count - 1], &solved[..count - 1], Vec::new(), watch)?;
-        match again {
+        match run(ladder.levels[count - 1], &solved[..count - 1], Vec::new(), watch)? {
             Ok((_, ran)) => solved[count - 1].run = Some(ran),
             Err(unfinished) => (cut, stopped) = (Some(unfinished), solved.pop().is_some()),
         }
