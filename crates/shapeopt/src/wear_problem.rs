@@ -219,9 +219,12 @@ impl WearProblem {
             if !fits(&stage.system, n) || stage.speeds.len() != n || stage.speeds.iter().any(|v| !(*v >= 0.0 && v.is_finite())) {
                 return wrong(format!("a load stage does not fit the {n} contact points, or a sliding speed is negative"));
             }
+            if !is_finite(&stage.system) {
+                return wrong("the contact system of a load stage has numbers that are not finite".into());
+            }
         }
-        if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n) {
-            return wrong(format!("the groove does not fit the {n} contact points"));
+        if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n || !passing.is_all_finite()) {
+            return wrong(format!("the groove does not fit the {n} contact points, or has numbers that are not finite"));
         }
         let within = |(first, weights): &(usize, Vec<f64>)| first + weights.len() <= n && weights.iter().all(|l| l.is_finite());
         if !self.between.len().is_multiple_of(n.max(2) - 1) || !self.between.iter().all(within) {
@@ -266,6 +269,13 @@ impl WearProblem {
         };
         Err(Error::WearInput { what })
     }
+}
+
+/// Whether all numbers of a system are finite.
+fn is_finite(system: &ContactSystem) -> bool {
+    let ContactSystem { compliance, influence, balance, stiffness, load, opening, .. } = system;
+    [compliance, influence, balance, stiffness].iter().all(|matrix| matrix.is_all_finite())
+        && load.iter().chain(opening).all(|value| value.is_finite())
 }
 
 /// Whether a system is one of so many points, its matrices of one size with each other.

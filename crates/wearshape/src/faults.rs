@@ -20,6 +20,11 @@ pub(crate) fn wrong_wear(error: &WearError) -> Fault {
     Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message")
 }
 
+/// A friction that edges refuse.
+pub(crate) fn wrong_friction(error: hpfem::Error) -> Fault {
+    Fault::at("contact.friction", "wrong-value", error.to_string(), "give a finite friction")
+}
+
 /// A contact that its own solver refuses.
 pub(crate) fn unsolved(error: contact::Error) -> Fault {
     Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")

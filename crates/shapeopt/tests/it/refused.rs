@@ -27,6 +27,12 @@ fn runs_of_wrong_sizes_steps_and_ends_are_refused() {
     refused(|run| run.stages[0].system.influence = Mat::zeros(3, 1));
     refused(|run| run.stages[0].system.balance = Mat::zeros(3, 1));
     refused(|run| run.stages[0].system.stiffness = Mat::zeros(0, 0));
+    for wrong in [f64::NAN, f64::INFINITY] {
+        refused(|run| run.stages[0].system.compliance[(2, 3)] = wrong);
+        refused(|run| run.stages[0].system.influence[(2, 0)] = wrong);
+        refused(|run| run.stages[0].system.opening[4] = wrong);
+        refused(|run| run.stages[0].system.load[0] = wrong);
+    }
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         refused(|run| run.stepping = Stepping::Fixed(wrong));
         refused(|run| run.stepping = Stepping::Adaptive { accuracy: wrong });

@@ -5,6 +5,7 @@ use hpfem::{Corner, SlidingEdge, sliding_edge};
 use meshing::{CONTACT, Cut, RATIO};
 use scene::Fault;
 
+use crate::faults::wrong_friction;
 use crate::level::Level;
 use crate::parts::BodyParts;
 use crate::remark::Remark;
@@ -30,7 +31,7 @@ pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result
         let into = if number == 0 { drag } else { -drag };
         let on_axis = stage.couple.kinematics.is_revolved() && x == 0.0;
         let edge = sliding_edge(&wedges[0], &wedges[1], into * friction, stage.couple.kinematics);
-        match edge.map_err(|error| Fault::at("contact.friction", "wrong-value", error.to_string(), "give a finite friction"))? {
+        match edge.map_err(wrong_friction)? {
             _ if on_axis || drag == 0.0 => {}
             SlidingEdge::DigsIn => said.push(format!(
                 "at x = {x:.6} mm friction {friction} is beyond what any pressure with a finite force allows: the sharp edge digs in"
