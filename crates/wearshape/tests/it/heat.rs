@@ -291,19 +291,19 @@ fn a_narrow_hot_contact_that_a_coarse_mesh_loses_is_followed_with_nodes_on_its_e
 }
 
 /// At four times its speed the annulus touches inside its width, in one place or the other: the heat that crosses the contact depends on where it ends.
-/// Points held in contact have a critical speed far beyond either.
+/// Points held in contact have a critical speed far beyond either. Degree 12 has the end at 85.234 mm.
 #[test]
 fn a_hot_contact_whose_ends_have_branched_is_refused_by_name() {
     let found = |speed: &str, mesh: [&str; 2]| solved(&scene("clutch-hot", &["tasks=[contact]", speed, mesh[0], mesh[1]]));
-    let branched = found("sliding.omega=8.4", ["mesh.degree=6", "mesh.layers=6"]);
+    let branched = found("sliding.omega=8.4", ["mesh.degree=8", "mesh.layers=8"]);
     assert!(
         matches!(&branched.status, Status::Refused) && branched.remarks.iter().any(|remark| remark.code == "several-solutions")
     );
     let contact = branched.contact.unwrap();
-    assert!(contact.status == ContactStatus::NotUnique && (contact.ends[0] - 85.2).abs() < 0.1, "{:?}", contact.ends);
-    let other = found("sliding.omega=8.8", ["mesh.degree=8", "mesh.layers=8"]);
+    assert!(contact.status == ContactStatus::NotUnique && (contact.ends[0] - 85.234).abs() < 0.1, "{:?}", contact.ends);
+    let other = found("sliding.omega=9.2", ["mesh.degree=8", "mesh.layers=8"]);
     assert!(other.status == Status::Ok && other.remarks.is_empty(), "{:?}", other.remarks);
-    assert!((other.contact.unwrap().ends[0] - 90.0).abs() < 0.1);
+    assert!((other.contact.unwrap().ends[0] - 71.75).abs() < 0.1);
 }
 
 #[test]
