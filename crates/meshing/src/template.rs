@@ -237,10 +237,12 @@ fn ring_segment(couple: &Couple, segment: &RingSegment, cuts: &[f64], cut: Cut<'
     Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
-/// Whether the surface that may touch is known to end at corners of body 1, and not in the midst of round bodies, where nothing is singular.
+/// Whether the surface that may touch is known to end at corners of body 1, and not in the midst of round bodies, where nothing is singular. A ring segment
+/// has its own breaks, by its thickness.
 pub(crate) fn at_corners(couple: &Couple, extent: Extent) -> bool {
     let body = &couple.bodies[0];
-    matches!(extent, Extent::Angles(_) | Extent::X(_)) && !body.is_given() && !touches_all_around(body)
+    let is_segment = matches!(body.geometry, Geometry::RingSegment(_));
+    matches!(extent, Extent::Angles(_) | Extent::X(_)) && !(is_segment || body.is_given() || touches_all_around(body))
 }
 
 /// What happens on a full ring, by angles of its own.
