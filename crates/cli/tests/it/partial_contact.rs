@@ -79,3 +79,11 @@ fn the_shape_of_a_pad_that_carries_on_a_part_of_its_surface_is_proved() {
     assert_eq!(summary["pressure"]["regime"], "partial-contact");
     assert!(summary["shape"]["roundtrip_independent"].as_f64().unwrap() < 1e-2, "{}", summary["shape"]);
 }
+
+/// The ring segment leaves the drum in the midst of its surface: at its default accuracy the contact is done.
+#[test]
+fn a_ring_segment_that_leaves_its_drum_has_the_accuracy_asked_for() {
+    let bench = Bench::new();
+    let call = bench.call("run drum-brake-ring -q --set tasks=[contact]");
+    assert_eq!(call.code, 0, "{}{}", call.out, call.err);
+}
