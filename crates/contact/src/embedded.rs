@@ -17,10 +17,13 @@ use faer::linalg::solvers::Solve;
 const MARGIN: f64 = 0.025;
 
 impl ContactOperator<'_> {
-    /// Difference of the pressure from that of the embedded degree over the inner 95 % of the surface (all of a closed one), relative L2. It sees the
-    /// polynomials of the pressure alone, not the mesh of the bodies: on meshes with layers towards all that is singular it is 1 to 1.4 times the error where contact ends at nodes,
-    /// up to 4 times near round-off, and 4 to 14 times where it ends between points. What the cells of the bodies do not resolve it does not know: with no layers at corners outside the
-    /// contact it was 7.6e-7 where the pressure was off by 2.4e-5. Compare two meshes to see both. `None` where no edge is in contact all over with a degree of 3 or more, and with stick and slip.
+    /// Difference of the pressure from that of the embedded degree over the inner 95 % of the surface (all of a closed one), relative L2. `None` where no
+    /// edge is in contact all over with a degree of 3 or more, and with stick and slip.
+    ///
+    /// It sees the polynomials of the pressure alone, not the mesh of the bodies. On meshes with layers towards all that is singular it is 1 to 1.4 times
+    /// the error where contact ends at nodes, up to 4 times near round-off, and 4 to 14 times where it ends between points. What the cells of the bodies do
+    /// not resolve it does not know: with no layers at corners outside the contact it was 7.6e-7 where the pressure was off by 2.4e-5. Compare two meshes
+    /// to see both.
     ///
     /// # Errors
     /// As [`ContactOperator::solve`].

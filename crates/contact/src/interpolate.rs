@@ -55,11 +55,11 @@ impl Pair<'_> {
     /// For fewer points or values than the contact has.
     pub fn closed_value_at(&self, points: &[ContactPoint], values: &[f64], arc: f64) -> f64 {
         let (edge, _) = self.trace().locate(arc);
-        let own: Vec<f64> = self.edge_points(edge).map(|i| values[i % points.len()]).collect();
-        if own.contains(&0.0) {
+        let own = || self.edge_points(edge).map(|i| values[i % points.len()]);
+        if own().any(|value| value == 0.0) {
             let place = |i: usize| points.get(i).map_or(self.trace().length(), |point| point.arc);
             let arcs: Vec<f64> = self.edge_points(edge).map(place).collect();
-            return piecewise_linear(&arcs, &own, arc);
+            return piecewise_linear(&arcs, &own().collect::<Vec<f64>>(), arc);
         }
         self.value_at(points, values, arc)
     }

@@ -6,10 +6,10 @@ use crate::coarse::RATIO;
 use crate::extent::{Cut, Extent};
 use crate::names::CONTACT;
 
-/// Share of half the surface within which an end of contact is next to its end: cells as high as the body are no longer than wide between the two.
+/// Share of half the surface within which an end of contact is next to its end: between the two, cells as high as the body would be slender.
 const NEAR: f64 = 0.45;
 /// Size of the cell at the end of the surface that an end of contact cuts, over their distance: with 1.5 and 2 the gap of a drum whose shoe needs nodes
-/// at 0.75 of its half is off by two and four times as much, and with less a kink of the pressure lies next to a splinter.
+/// at 0.75 of its half is off by two and seven times as much (degree 8), and with less a kink of the pressure lies next to a splinter.
 const JUST_BEYOND: f64 = 1.3;
 /// The same, at least, of an end of contact within this share of half the surface: runs in time, whose gap recedes there for ever, do not settle on cells as
 /// small as that.

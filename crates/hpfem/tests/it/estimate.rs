@@ -150,6 +150,5 @@ fn estimates_at_points_of_an_l_shape_are_seldom_too_small_and_never_by_far() {
         let ratio = error / sequence_estimate(&sequence).unwrap();
         (small, told, worst) = (small + usize::from(ratio > 1.0), told + 1, worst.max(ratio));
     }
-    println!("{small} of {told} estimates too small, at most {worst:.1} times");
     assert!(20 * small < told && worst < 12.0, "{small} of {told}, {worst:.1} times");
 }

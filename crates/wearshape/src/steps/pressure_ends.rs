@@ -25,8 +25,10 @@ pub(crate) fn pressure_bends(stage: Stage<'_>, optimum: &wear::Optimum) -> Vec<f
         return Vec::new();
     }
     // How many are passed, and whether one is met: a pressure may also stay at it.
-    let side = |pressure: f64, bend: f64| usize::from(pressure > bend * (1.0 - AT)) + usize::from(pressure > bend * (1.0 + AT));
-    changes(stage, |point| bends.iter().map(|bend| side(optimum.pressure_at(point), *bend)).sum::<usize>())
+    changes(stage, |point| {
+        let pressure = optimum.pressure_at(point);
+        bends.iter().flat_map(|bend| [bend * (1.0 - AT), bend * (1.0 + AT)]).filter(|limit| pressure > *limit).count()
+    })
 }
 
 /// The pressures (MPa) at which the wear rules of a problem bend.

@@ -300,10 +300,10 @@ fn a_hot_contact_whose_ends_have_branched_is_refused_by_name() {
         matches!(&branched.status, Status::Refused) && branched.remarks.iter().any(|remark| remark.code == "several-solutions")
     );
     let contact = branched.contact.unwrap();
-    assert!(contact.status == ContactStatus::NotUnique && (contact.ends[0] - 85.234).abs() < 0.1, "{:?}", contact.ends);
+    assert!(contact.status == ContactStatus::NotUnique && (contact.ends[0] - 85.234).abs() < 0.05, "{:?}", contact.ends);
     let other = found("sliding.omega=9.2", ["mesh.degree=8", "mesh.layers=8"]);
     assert!(other.status == Status::Ok && other.remarks.is_empty(), "{:?}", other.remarks);
-    assert!((other.contact.unwrap().ends[0] - 71.75).abs() < 0.1);
+    assert!((other.contact.unwrap().ends[0] - 71.75).abs() < 0.02);
 }
 
 #[test]
