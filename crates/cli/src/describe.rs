@@ -46,7 +46,8 @@ pub(crate) fn sizes(problem: &Problem, bodies: &Bodies, progress: &Progress) -> 
                 out += &format!("{:>14}  {memory:>9.1}  about {:.2}\n", level.contact_points, level.about_seconds);
             }
             if levels.len() > 1 {
-                out += "the run climbs from row to row until its accuracy is reached;\nseconds are those up to there, with the proof\n";
+                out += "the run climbs from row to row until its accuracy is reached, and on where errors fall slower than is usual;\n";
+                out += "seconds are those up to there, with the proof\n";
             }
             if problem.plan().runs(Step::Evolution) {
                 out += "the steps in time come on top: how many it takes is not known before\n";

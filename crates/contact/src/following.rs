@@ -87,9 +87,8 @@ impl ContactOperator<'_> {
                 forces.push(Mat::zeros(coordinates, many));
                 continue;
             };
-            let (unknowns, cases) = (response.to_columns.nrows(), following.nrows());
-            let moved = response.normal.product(&(response.to_columns.submatrix(0, 0, unknowns, cases) * following));
-            opening += faer::Scale(SIGNS[b]) * moved;
+            let (moved, cases) = (response.normal_by_columns(), following.nrows());
+            opening += faer::Scale(SIGNS[b]) * (moved.subcols(0, cases) * following);
             forces.push(response.motion_columns.submatrix(0, 0, coordinates, cases) * following);
         }
         let rows: Vec<(usize, usize)> =

@@ -10,6 +10,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 use hpfem::{HalfSolved, InterfaceFactor, InterfaceOperator};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Kept displacements of one body as a linear function of nodal contact forces, load factors and rigid coordinates:
 /// `u = U_f a + X_n lambda + X_t sigma + Y y`, with the balance `K y = Y^T (f + N^T lambda + T^T sigma) + resultant`.
@@ -31,6 +32,8 @@ pub(crate) struct Response {
     near: Vec<bool>,
     /// `U_f`, `unknowns x (load cases + 1)`.
     pub(crate) to_columns: Mat<f64>,
+    /// Normal displacement at the points by those columns, made when it is asked for.
+    opened: OnceLock<Mat<f64>>,
     /// `Y`, `unknowns x coordinates`.
     pub(crate) motions: Mat<f64>,
     /// Normal and tangential displacement at the points by the coordinates, `points x coordinates`; round-off is cleared.
@@ -91,6 +94,7 @@ impl Response {
         }
         Ok(Response {
             to_columns: factor.solve(&columns),
+            opened: OnceLock::new(),
             factor,
             first,
             near: near.to_vec(),
@@ -103,6 +107,11 @@ impl Response {
             motion_columns,
             edge_motion,
         })
+    }
+
+    /// Normal displacement at the points by a unit of each load case, then by what is prescribed, `points x (load cases + 1)`.
+    pub(crate) fn normal_by_columns(&self) -> &Mat<f64> {
+        self.opened.get_or_init(|| self.normal.product(&self.to_columns))
     }
 
     /// Unit forces at some of the points, half solved: normal ones, and tangential ones if these were asked for.

@@ -10,24 +10,16 @@ use crate::cell_matrix::map_cells;
 use crate::congruence::{Class, Congruence, Turn};
 use crate::element::Workspace;
 use crate::error::Error;
+use crate::on_boundary::OnBoundary;
 use crate::point_load::Rows;
 use crate::volume_load::InnerLoad;
-use faer::{Mat, MatMut};
+use faer::{MatMut, MatRef};
 
 /// Cells of one shape whose loads are there at once.
 const AT_ONCE: usize = 64;
 
 /// Corners of the reference square.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-
-/// What loads inside a cell do to its boundary.
-pub(crate) struct OnBoundary {
-    cell: usize,
-    /// `((local boundary unknown, load case), value)`.
-    pub(crate) boundary: Vec<((usize, usize), f64)>,
-    /// `y_k . y_l` for load cases k, l, as in [`InnerLoad`].
-    pub(crate) work: Mat<f64>,
-}
 
 /// Cells of one class.
 struct Alike<'a> {
@@ -61,16 +53,47 @@ impl Assembly<'_> {
     /// The loads inside cells of one class.
     fn of_alike(&self, alike: &Alike<'_>, work: &mut Workspace) -> Result<Vec<OnBoundary>, Error> {
         let Alike { class, cells } = *alike;
-        if cells.len() == 1 || self.mesh.cells[class.first].is_triangle() {
+        if cells.len() == 1 || self.is_triangle(class) {
             let alone = |(cell, _): &(usize, &Turn)| {
                 let InnerLoad { boundary, work, .. } = self.inner_load(*cell, work)?;
                 Ok(OnBoundary { cell: *cell, boundary, work })
             };
             return cells.iter().map(alone).collect();
         }
-        let (components, cases, local) = (self.space.components, self.loads.cases, self.class_modes(class));
-        let rows = Rows { components, local: &local };
-        let members: Vec<Member> = cells.iter().map(|(cell, turn)| self.member(*cell, turn, &local)).collect();
+        let local = self.class_modes(class);
+        let (matrix, ni) = self.condensed(class.first, &local, work)?;
+        Ok(self.condensed_loads(cells, &local, (matrix.as_ref(), ni)))
+    }
+
+    /// The loads inside all cells of a class of quadrilaterals that have any, whose matrix has its interior condensed.
+    pub(crate) fn loads_of_class(
+        &self,
+        (class, congruence): (usize, &Congruence),
+        local: &LocalModes,
+        condensed: (MatRef<'_, f64>, usize),
+    ) -> Vec<OnBoundary> {
+        if self.is_triangle(&congruence.classes[class]) {
+            return Vec::new();
+        }
+        let members = congruence.class.iter().enumerate().filter(|(cell, of)| **of == class && self.loads.inside(*cell));
+        let members: Vec<(usize, &Turn)> = members.map(|(cell, _)| (cell, &congruence.turn[cell])).collect();
+        members.chunks(AT_ONCE).flat_map(|cells| self.condensed_loads(cells, local, condensed)).collect()
+    }
+
+    fn is_triangle(&self, class: &Class) -> bool {
+        self.mesh.cells[class.first].is_triangle()
+    }
+
+    /// The loads inside cells of a class with these modes, whose matrix has its first `ni` columns factorised.
+    fn condensed_loads(
+        &self,
+        cells: &[(usize, &Turn)],
+        local: &LocalModes,
+        (matrix, ni): (MatRef<'_, f64>, usize),
+    ) -> Vec<OnBoundary> {
+        let (components, cases) = (self.space.components, self.loads.cases);
+        let rows = Rows { components, local };
+        let members: Vec<Member> = cells.iter().map(|(cell, turn)| self.member(*cell, turn, local)).collect();
         let height = components * local.modes;
         let mut loads = vec![0.0; height * cases * cells.len()];
         for ((member, (cell, turn)), columns) in members.iter().zip(cells).zip(loads.chunks_exact_mut(height * cases)) {
@@ -84,8 +107,7 @@ impl Assembly<'_> {
                 }
             }
         }
-        let (matrix, ni) = self.condensed(class.first, &local, work)?;
-        let loads = eliminate(matrix.as_ref(), ni, &mut loads);
+        let loads = eliminate(matrix, ni, &mut loads);
         let of_member = |(k, (member, (cell, turn))): (usize, (&Member, &(usize, &Turn)))| {
             let own = loads.get(.., k * cases..(k + 1) * cases);
             let (y, signs) = (own.get(..ni, ..), member.local.signs());
@@ -99,7 +121,7 @@ impl Assembly<'_> {
             }
             OnBoundary { cell: *cell, boundary, work: y.transpose() * y }
         };
-        Ok(members.iter().zip(cells).enumerate().map(of_member).collect())
+        members.iter().zip(cells).enumerate().map(of_member).collect()
     }
 
     /// A cell as a member of the class of a cell with these modes.

@@ -17,6 +17,7 @@ use crate::kinematics::Kinematics;
 use crate::known_heat::{KnownHeat, OnGroups, Own, TemperatureCase};
 use crate::material::Material;
 use crate::mesh::Mesh;
+use crate::on_boundary::by_cell;
 use crate::problem::BodyProblem;
 use crate::space::Space;
 use faer::linalg::matmul::matmul;
@@ -284,14 +285,20 @@ impl Assembly<'_> {
             let mut load = std::mem::take(&mut work.load);
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let heat = eliminate(matrix.as_ref(), ni, &mut load).get(ni.., ..).to_owned();
-            let made = (boundary_block(matrix, ni), heat);
+            let loads = self.loads_of_class((k, &congruence), &local, (matrix.as_ref(), ni));
+            let made = (boundary_block(matrix, ni), heat, loads);
             work.load = load;
             Ok(made)
         });
-        let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
-        let (matrices, heats) = made.into_iter().unzip();
+        let (mut matrices, mut heats, mut loads) = (Vec::with_capacity(made.len()), Vec::new(), Vec::new());
+        for made in made {
+            let (matrix, heat, loads_of_class) = made?;
+            matrices.push(matrix);
+            heats.push(heat);
+            loads.extend(loads_of_class);
+        }
         let heats = warming.kept(&congruence, edges, (heats, &known));
-        Ok((SharedMatrices { congruence, matrices }, heats))
+        Ok((SharedMatrices { congruence, matrices, loads: by_cell(self.mesh, loads) }, heats))
     }
 }
 

@@ -7,6 +7,7 @@ use crate::dense::factor_leading;
 use crate::element::{CellForm, Workspace, matrix_in, stiffness};
 use crate::error::Error;
 use crate::interiors::{Interiors, from_boundary};
+use crate::on_boundary::{OnBoundary, by_cell};
 use crate::triangle_matrix::triangle_stiffness;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
@@ -17,6 +18,8 @@ pub(crate) struct SharedMatrices {
     pub(crate) congruence: Congruence,
     /// Both triangles, columns one after the other, boundary modes of one component after those of the other; empty once no cell needs it.
     pub(crate) matrices: Vec<Vec<f64>>,
+    /// What loads inside quadrilaterals do to their boundaries, by cell; empty where no cell has any.
+    pub(crate) loads: Vec<Option<OnBoundary>>,
 }
 
 /// The elements of the elimination: those of cells and foundations with loads or supports, and for all other cells the matrix of their
@@ -91,15 +94,21 @@ impl Assembly<'_> {
         keep: bool,
     ) -> Result<(SharedMatrices, Option<Interiors>), Error> {
         let made = map_cells(congruence.classes.len(), |work, k| {
-            let class = &congruence.classes[k];
-            let (matrix, ni) = self.condensed(class.first, &self.class_modes(class), work)?;
+            let (class, local) = (&congruence.classes[k], self.class_modes(&congruence.classes[k]));
+            let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let inside = keep.then(|| from_boundary(matrix.as_ref(), ni));
-            Ok((boundary_block(matrix, ni), inside))
+            let loads = self.loads_of_class((k, &congruence), &local, (matrix.as_ref(), ni));
+            Ok((boundary_block(matrix, ni), inside, loads))
         });
-        let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
-        let (matrices, inside): (_, Vec<Option<Mat<f64>>>) = made.into_iter().unzip();
-        let interiors = keep.then(|| Interiors::new(&congruence, inside.into_iter().flatten().collect()));
-        Ok((SharedMatrices { congruence, matrices }, interiors))
+        let (mut matrices, mut inside, mut loads) = (Vec::with_capacity(made.len()), Vec::new(), Vec::new());
+        for made in made {
+            let (matrix, inside_of_class, loads_of_class) = made?;
+            matrices.push(matrix);
+            inside.extend(inside_of_class);
+            loads.extend(loads_of_class);
+        }
+        let interiors = keep.then(|| Interiors::new(&congruence, inside));
+        Ok((SharedMatrices { congruence, matrices, loads: by_cell(self.mesh, loads) }, interiors))
     }
 
     pub(crate) fn class_modes(&self, class: &Class) -> LocalModes {

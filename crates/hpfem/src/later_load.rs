@@ -1,6 +1,5 @@
 //! Loads on a body that is factorised already: a substitution each.
 
-use crate::alike_loads::OnBoundary;
 use crate::assembly::Assembly;
 use crate::body::Body;
 use crate::check::check_case;
@@ -9,6 +8,7 @@ use crate::edge_load::Loads;
 use crate::error::Error;
 use crate::interface::InterfaceOperator;
 use crate::load_case::LoadCase;
+use crate::on_boundary::OnBoundary;
 use crate::summed::Summed;
 use faer::{Mat, MatRef};
 use std::sync::Arc;

@@ -116,6 +116,8 @@ impl Mesh {
         }
         check_vertices(&vertices, quads)?;
         let mut mesh = Mesh { vertices, ..Mesh::default() };
+        mesh.edges.reserve(3 * quads.len());
+        mesh.cells.reserve(quads.len());
         let mut index = EdgeIndex { first: vec![usize::MAX; mesh.vertices.len()], next: Vec::new() };
         let mut sides: Vec<[bool; 2]> = Vec::new();
         for quad in quads {
@@ -175,7 +177,8 @@ impl Mesh {
         };
         let size = self.vertices[a].iter().fold(circle, |m, x| m.max(x.abs()));
         let round_off = 64.0 * f64::EPSILON * size;
-        if miss.is_nan() || miss > 1e-9 * curve.length() + round_off {
+        // Lengths of polynomials take long.
+        if miss.is_nan() || miss > round_off && miss > 1e-9 * curve.length() + round_off {
             return Err(Error::CurveMissesVertex { a, b, distance: miss });
         }
         self.edges[edge].curve = curve;
@@ -211,7 +214,7 @@ impl Mesh {
 
     /// For each edge the cells that share it, one or two, as `(cell, local edge)`.
     pub fn edge_cells(&self) -> Vec<Vec<(usize, usize)>> {
-        let mut neighbours = vec![Vec::with_capacity(2); self.edges.len()];
+        let mut neighbours: Vec<Vec<(usize, usize)>> = self.edges.iter().map(|_| Vec::with_capacity(2)).collect();
         for (c, cell) in self.cells.iter().enumerate() {
             cell.sides().for_each(|(local, edge)| neighbours[edge].push((c, local)));
         }

@@ -54,7 +54,10 @@ impl Graph<'_> {
         kept.iter().for_each(|g| is_kept[*g] = true);
         let members: Vec<Vec<usize>> = element_groups.to_vec();
         let weight: Vec<usize> = members.iter().map(|m| m.iter().map(|g| size[*g]).sum()).collect();
-        let mut holders: Vec<Vec<usize>> = vec![Vec::new(); size.len()];
+        let mut many = vec![0; size.len()];
+        members.iter().flatten().for_each(|g| many[*g] += 1);
+        // An element that is pushed takes the place of at least one that is merged.
+        let mut holders: Vec<Vec<usize>> = many.iter().map(|many| Vec::with_capacity(many + 1)).collect();
         for (e, groups) in members.iter().enumerate() {
             groups.iter().for_each(|g| holders[*g].push(e));
         }

@@ -5,6 +5,7 @@ use crate::assembly::Assembly;
 use crate::cell_matrix::SharedMatrices;
 use crate::element::Workspace;
 use crate::error::Error;
+use crate::on_boundary::OnBoundary;
 use crate::space::Target;
 use faer::{Mat, MatRef};
 
@@ -48,9 +49,12 @@ impl Assembly<'_> {
         let mut load = self.cell_loads(cell, &modes);
         let mut interior_work = None;
         if self.loads.inside(cell) {
-            let inner = self.inner_load(cell, work)?;
-            load.extend(inner.boundary);
-            interior_work = Some(inner.work);
+            let (boundary, work) = match shared.loads.get(cell).and_then(Option::as_ref) {
+                Some(OnBoundary { boundary, work, .. }) => (boundary.clone(), work.clone()),
+                None => self.inner_load(cell, work).map(|inner| (inner.boundary, inner.work))?,
+            };
+            load.extend(boundary);
+            interior_work = Some(work);
         }
         let mut s = Vec::new();
         self.boundary_matrix(cell, &(0..modes.len()).collect::<Vec<_>>(), shared, &mut s);

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::mesh::{Mesh, Quad};
+use crate::pieces::Pieces;
 
 impl Mesh {
     /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
@@ -16,12 +17,15 @@ impl Mesh {
     pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
         in_range(ratio)?;
         self.check_graded(vertices)?;
-        let mut mesh = self.clone();
-        for _ in 0..layers {
-            mesh = mesh.cut_at(vertices, &|_| ratio)?;
+        if layers == 0 {
+            self.check_cells()?;
+            return Ok(self.clone());
         }
-        mesh.check_cells()?;
-        Ok(mesh)
+        let mut pieces = Pieces::of(self);
+        for _ in 0..layers {
+            pieces.cut(vertices, &|_| Ok(ratio))?;
+        }
+        pieces.joined()
     }
 
     /// One layer of [`Mesh::refined_towards`] in which each edge at one of the vertices is cut at a ratio of its own, which `ratio` tells of its number: so
@@ -31,9 +35,10 @@ impl Mesh {
     /// Those of [`Mesh::refined_towards`].
     pub fn refined_towards_by(&self, vertices: &[usize], ratio: impl Fn(usize) -> f64) -> Result<Mesh, Error> {
         self.check_graded(vertices)?;
-        let mesh = self.cut_at(vertices, &ratio)?;
-        mesh.check_cells()?;
-        Ok(mesh)
+        let number = |[a, b]: [usize; 2]| self.edges.iter().position(|edge| edge.vertices == [a, b] || edge.vertices == [b, a]);
+        let mut pieces = Pieces::of(self);
+        pieces.cut(vertices, &|walk| number(walk).map_or(Ok(0.0), |edge| in_range(ratio(edge))))?;
+        pieces.joined()
     }
 
     /// Whether vertices exist, and no cell touches two of them.
@@ -49,68 +54,6 @@ impl Mesh {
             }
         }
         Ok(())
-    }
-
-    /// One cut of [`Mesh::refined_towards`], at a ratio for each edge.
-    fn cut_at(&self, singular: &[usize], ratio: &dyn Fn(usize) -> f64) -> Result<Mesh, Error> {
-        let mut vertices = self.vertices.clone();
-        let mut quads = Vec::with_capacity(self.cells.len() + 2 * singular.len());
-        let mut curves = Vec::new();
-        let mut names: Vec<([usize; 2], &str)> = Vec::new();
-        // The vertex that cuts an edge next to a singular end, shared by both its cells.
-        let mut cut_vertex: Vec<Option<(usize, f64)>> = vec![None; self.edges.len()];
-        for (e, edge) in self.edges.iter().enumerate() {
-            let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
-            let [a, b] = edge.vertices;
-            let first = singular.contains(&a);
-            if !first && !singular.contains(&b) {
-                if !edge.curve.is_straight() {
-                    curves.push(([a, b], edge.curve));
-                }
-                names.extend(tags.map(|n| ([a, b], n)));
-                continue;
-            }
-            let ratio = in_range(ratio(e))?;
-            let at = if first { 2.0 * ratio - 1.0 } else { 1.0 - 2.0 * ratio };
-            let v = vertices.len();
-            vertices.push(edge.curve.point(at));
-            cut_vertex[e] = Some((v, ratio));
-            if !edge.curve.is_straight() {
-                curves.push(([a, v], edge.curve.part(-1.0, at)));
-                curves.push(([v, b], edge.curve.part(at, 1.0)));
-            }
-            for name in tags {
-                names.extend([([a, v], name), ([v, b], name)]);
-            }
-        }
-        for (c, cell) in self.cells.iter().enumerate() {
-            let quad = |corners, layer| Quad { corners, material: cell.material, layer };
-            let Some(corner) = cell.vertices().iter().position(|v| singular.contains(v)) else {
-                quads.push(quad(cell.corners, cell.layer));
-                continue;
-            };
-            let [Some((m1, r1)), Some((m3, r3))] = cell.leaving(corner).map(|e| cut_vertex[cell.edges[e]?]) else {
-                return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
-            };
-            // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
-            if cell.is_triangle() {
-                let k: [usize; 3] = std::array::from_fn(|i| cell.corners[(corner + i) % 3]);
-                quads.push(quad([k[0], m1, m3, m3], cell.layer + 1));
-                quads.push(quad([m1, k[1], k[2], m3], cell.layer));
-                continue;
-            }
-            let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
-            let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-            let (near, next, far) = (reference[corner], reference[(corner + 1) % 4], reference[(corner + 2) % 4]);
-            let ratio = |i: usize| if next[i] == near[i] { r3 } else { r1 };
-            let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio(i)) * near[i] + ratio(i) * far[i]);
-            let centre = vertices.len();
-            vertices.push(self.map(c, place[0], place[1]).0);
-            quads.push(quad([k[0], m1, centre, m3], cell.layer + 1));
-            quads.push(quad([m1, k[1], k[2], centre], cell.layer));
-            quads.push(quad([m3, centre, k[2], k[3]], cell.layer));
-        }
-        Mesh::joined(vertices, &quads, &curves, &names)
     }
 
     /// Cuts every cell into four at the middles of its edges; layer numbers stay.

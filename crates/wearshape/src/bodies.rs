@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
-use hpfem::{InterfaceOperator, InterfaceState};
+use hpfem::{InterfaceOperator, InterfaceState, Sizes};
 use meshing::{CoarseMeshes, Couple, Cut, Extent, GivenCells, coarse_meshes};
 use scene::Fault;
 
@@ -35,12 +35,16 @@ pub struct Bodies {
     kinds: Mutex<Vec<(Couple, Kind)>>,
     given: Mutex<Vec<(Couple, Extent, Arc<GivenCells>)>>,
     coarse: Mutex<Vec<Coarse>>,
+    sizes: Mutex<Vec<Sized>>,
     factorisations: AtomicUsize,
     reused: AtomicUsize,
 }
 
 /// The coarse meshes of a couple that touches on a surface, by where they are cut.
 type Coarse = (Couple, Extent, Cut<'static>, Arc<CoarseMeshes>);
+
+/// The sizes of a couple on a level.
+type Sized = (Couple, Level, [Sizes; 2]);
 
 /// The reduced bodies of one couple.
 type Kind = Vec<(Place, Arc<Reduced>)>;
@@ -75,6 +79,22 @@ impl Bodies {
         }
         let new = Arc::new(GivenCells::new(couple, extent)?);
         keep_last(&self.given, (couple.clone(), extent, Arc::clone(&new)));
+        Ok(new)
+    }
+
+    /// The sizes of the bodies of a couple on a level, found if they are not there: whoever checks a scene asks for one of them twice.
+    pub(crate) fn sizes(
+        &self,
+        couple: &Couple,
+        level: Level,
+        find: impl FnOnce() -> Result<[Sizes; 2], Fault>,
+    ) -> Result<[Sizes; 2], Fault> {
+        let same = |known: &&Sized| known.0 == *couple && known.1 == level;
+        if let Some(known) = lock(&self.sizes).iter().find(same).map(|known| known.2) {
+            return Ok(known);
+        }
+        let new = find()?;
+        keep_last(&self.sizes, (couple.clone(), level, new));
         Ok(new)
     }
 

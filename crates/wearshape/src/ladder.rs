@@ -21,7 +21,7 @@ const DEGREES: [usize; 3] = [FIRST, 16, 2];
 const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
 /// Digits that a level gains, about, before errors tell.
-const DIGITS: f64 = 1.5;
+const DIGITS: f64 = 2.0;
 /// The same as a ratio of errors.
 const GAIN: f64 = 0.03;
 /// Successive levels without a smaller difference after which finer ones are of no use: round-off, or something that degrees do not mend.
@@ -98,14 +98,22 @@ impl Ladder {
         self
     }
 
+    /// The levels that are expected to be solved, before anything is: all of a fixed discretisation.
+    pub(crate) fn expected(mut self) -> Vec<Level> {
+        if self.accuracy.is_some() {
+            self.levels.truncate(1 + self.left(0, None));
+        }
+        self.levels
+    }
+
     /// Levels expected after this one, from the errors before it: the last one and the ratio at which they fall.
     fn left(&self, number: usize, errors: Option<[f64; 2]>) -> usize {
         let last = self.usual.max(number + 1) - 1;
         let Some(accuracy) = self.accuracy else { return last - number + usize::from(self.beside.is_some()) };
         let more = match errors {
             Some([error, ratio]) => ((accuracy / error).ln() / ratio.ln()).ceil().max(1.0) as usize - 1,
-            // Three levels tell an error, and each further one gains about a digit and a half.
-            None => ((-accuracy.log10() / DIGITS).round().max(2.0) as usize).saturating_sub(number),
+            // Three levels tell an error; each one gains about two digits.
+            None => ((-accuracy.log10() / DIGITS).floor().max(2.0) as usize).saturating_sub(number),
         };
         more.min(last - number)
     }

@@ -41,11 +41,12 @@ pub(crate) const CASES: [&str; 4] = ["load", "mean x", "mean z", "mean turn"];
 /// Columns of the mean displacement functionals.
 pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
-/// A body as a problem of temperature, what of its temperatures is known already, and the thermal expansion of its materials (1/K).
-pub(crate) struct BodyHeat<'a> {
-    pub temperature: &'a Body,
-    pub known: Option<&'a [TemperatureCase]>,
-    pub expansion: Vec<f64>,
+/// What temperatures are to do to a body.
+pub(crate) enum BodyHeat<'a> {
+    /// Of itself as a problem of temperature, of whose temperatures some are known already, with the thermal expansion of its materials (1/K).
+    Field { temperature: &'a Body, known: Option<&'a [TemperatureCase]>, expansion: Vec<f64> },
+    /// Load cases of strains that are known at every place.
+    Strains(Vec<LoadCase>),
 }
 
 impl BodyParts {
@@ -122,8 +123,17 @@ impl BodyParts {
 
     /// Assembles and reduces the body for temperatures that are to load it.
     fn reduce_for(&self, heat: Option<BodyHeat<'_>>, clock: Clock) -> Result<Body, Fault> {
-        let Some(BodyHeat { temperature, known, expansion }) = heat else { return self.reduce(clock) };
-        let reduced = Body::for_heat(self.problem.clone(), temperature, known, &expansion, clock);
+        let mut problem = self.problem.clone();
+        let reduced = match heat {
+            None => Body::timed(problem, clock),
+            Some(BodyHeat::Field { temperature, known, expansion }) => {
+                Body::for_heat(problem, temperature, known, &expansion, clock)
+            }
+            Some(BodyHeat::Strains(cases)) => {
+                problem.load_cases.extend(cases);
+                Body::timed(problem, clock)
+            }
+        };
         reduced.map_err(|error| self.not_held(&error))
     }
 

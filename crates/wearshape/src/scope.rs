@@ -1,6 +1,6 @@
 //! Which of the three kinds of contact two bodies have: a surface known beforehand, a round body on a flat one, a half-disc on a rectangle.
 
-use hpfem::Mesh;
+use hpfem::{Mesh, Sizes};
 use meshing::{Cut, HalfDiscOnFlat};
 use scene::Fault;
 
@@ -79,7 +79,10 @@ impl<'a> Scope<'a> {
             },
             Scope::Round(_) | Scope::RoundWear(_) => sized(&self.parts(level)?),
             Scope::Known(stage) => {
-                sized(&self.parts(level)?)?;
+                self.sizes(level)?;
+                if !problem.paths.is_empty() {
+                    paths::check(problem, &self.parts(level)?, mirror)?;
+                }
                 if problem.plan.runs(Step::RoundTrip) { stage.meshes(level.layers, Cut::Shifted).map(|_| ()) } else { Ok(()) }
             }
         }
@@ -100,6 +103,15 @@ impl<'a> Scope<'a> {
                     }
                 })
             }
+        }
+    }
+
+    /// Sizes of both bodies on a level, which are kept where no load changes them.
+    pub(crate) fn sizes(&self, level: Level) -> Result<[Sizes; 2], Fault> {
+        let find = || self.parts(level)?.sizes();
+        match self {
+            Scope::Known(stage) if !stage.facing() => stage.bodies.sizes(stage.couple, level, find),
+            Scope::Known(_) | Scope::Round(_) | Scope::HalfDisc(_) | Scope::RoundWear(_) => find(),
         }
     }
 

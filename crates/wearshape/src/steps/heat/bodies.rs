@@ -30,7 +30,7 @@ pub(crate) struct HotBodies<'a> {
     /// As problems of temperature.
     pub warm: Warm<'a>,
     parts: Parts,
-    /// Without heat.
+    /// Without heat, but for strains that were asked for.
     cold: [Body; 2],
     /// The heat that was asked for, and the temperatures of both bodies that it takes.
     asked: Option<(PointHeat, [Temperatures; 2])>,
@@ -97,9 +97,13 @@ impl<'a> HotBodies<'a> {
         effort.add_seconds(Step::Heat, stage.clock()() - start);
         (stage.options.begun)(Step::Factor);
         let heats = [0, 1].map(|number| {
-            let known = asked.as_ref().and_then(|(_, known)| known[number].fields());
-            let own = warmed.conduction(number)?;
-            Some(BodyHeat { temperature: &own.body, known, expansion: warmed.expansion(number) })
+            let known = asked.as_ref().map(|(_, known)| &known[number]);
+            if let Some(Temperatures::Strains(strains)) = known.filter(|_| warmed.conduction(number).is_none()) {
+                return Some(BodyHeat::Strains(strain_cases(strains)));
+            }
+            let temperature = &warmed.conduction(number)?.body;
+            let known = known.and_then(Temperatures::fields);
+            Some(BodyHeat::Field { temperature, known, expansion: warmed.expansion(number) })
         });
         let (cold, work) = parts.reduce_for(heats, stage.clock())?;
         let counters = work.counters.clone();
@@ -111,8 +115,13 @@ impl<'a> HotBodies<'a> {
 
     /// The heat that was asked for, and the bodies with the loads of what was; none where anything was.
     pub(crate) fn asked(&self) -> Result<Option<(&PointHeat, Reduced)>, Fault> {
-        let Some((heat, known)) = &self.asked else { return Ok(None) };
-        Ok(Some((heat, self.with(known)?)))
+        let Some((heat, [first, second])) = &self.asked else { return Ok(None) };
+        let of = |number: usize, temperatures: &Temperatures| match temperatures {
+            Temperatures::Fields(_) => self.interface(number, temperatures),
+            // The bodies were made with them.
+            Temperatures::Strains(_) => Ok(self.cold[number].interface.clone()),
+        };
+        Ok(Some((heat, self.reduced([of(0, first)?, of(1, second)?])?)))
     }
 
     /// The bodies with a load of what flows without friction, then one of each unit of heat at the contact points, or of all heat alike.
@@ -129,7 +138,10 @@ impl<'a> HotBodies<'a> {
 
     /// The reduced bodies with the loads of temperatures.
     fn with(&self, [first, second]: &[Temperatures; 2]) -> Result<Reduced, Fault> {
-        let interfaces = [self.interface(0, first)?, self.interface(1, second)?];
+        self.reduced([self.interface(0, first)?, self.interface(1, second)?])
+    }
+
+    fn reduced(&self, interfaces: [InterfaceOperator; 2]) -> Result<Reduced, Fault> {
         let reduced = Reduced::of(&self.parts, interfaces, self.counters.clone());
         same_points(&reduced, &self.warm.surfaces.points)?;
         Ok(reduced)
@@ -143,9 +155,7 @@ impl<'a> HotBodies<'a> {
             }
             (Temperatures::Strains(strains), _) if !strains.is_empty() => {
                 let mut hot = cold.clone();
-                let name = |k: usize| k.checked_sub(1).map_or(HEAT.to_string(), unit_name);
-                let cases = strains.iter().enumerate().map(|(k, strain)| LoadCase::new(name(k)).with(strain.clone()));
-                hot.add_loads(cases.collect()).map_err(no_field)?;
+                hot.add_loads(strain_cases(strains)).map_err(no_field)?;
                 Ok(hot.interface)
             }
             (Temperatures::Fields(_) | Temperatures::Strains(_), _) => Ok(cold.interface.clone()),
@@ -220,6 +230,12 @@ fn cases(unknowns: &Mat<f64>, loads: usize) -> Vec<TemperatureCase> {
         reference: 0.0,
     };
     (0..unknowns.ncols()).map(case).collect()
+}
+
+/// Load cases of thermal strains, that of the heat, then those of units.
+fn strain_cases(strains: &[Eigenstrain]) -> Vec<LoadCase> {
+    let name = |k: usize| k.checked_sub(1).map_or(HEAT.to_string(), unit_name);
+    strains.iter().enumerate().map(|(k, strain)| LoadCase::new(name(k)).with(strain.clone())).collect()
 }
 
 /// Name of the load case of a unit of heat.
