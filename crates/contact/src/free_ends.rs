@@ -57,6 +57,14 @@ impl FreeEnds {
         of.places.len() == self.places.len() && of.starts_closed == self.starts_closed
     }
 
+    /// Whether others are as many, with contact on the same sides of them, each within a distance of half the surface.
+    pub fn is_alike(&self, other: &FreeEnds, within: f64) -> bool {
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= within;
+        self.starts_closed == other.starts_closed
+            && self.places.len() == other.places.len()
+            && self.places.iter().zip(&other.places).all(near)
+    }
+
     /// Trial ends from -1 to 1 on the surface, ascending, of a contact that leaves both ends of the surface open.
     pub fn near(places: Vec<f64>) -> FreeEnds {
         FreeEnds { refined: places.clone(), places, before: None, jacobian: None, starts_closed: false }

@@ -21,7 +21,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::{lost, result};
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, followed, misplaced, nearer, node_tolerance, position};
+use crate::steps::free_ends::{Positioned, followed, from_slower, misplaced, nearer, node_tolerance, position};
 use crate::steps::heat::branched;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
@@ -37,6 +37,8 @@ use crate::words::PointStatus;
 const SIGNS_HOLD: f64 = 1e-9;
 /// Relative violation of signs above which that solution is no start for the contact's.
 const NEAR: f64 = 1e-3;
+/// Distance of ends on two levels, of half the surface, up to which they are those of one contact.
+const SAME_CONTACT: f64 = 0.1;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
 
@@ -342,8 +344,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
 /// The same with frictional heat; on the standing mesh where nodes do not settle on the ends of contact, or lead to others.
 fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
     let mut standing = None;
-    // Ends of a hot contact move its heat, and so each other: nodes that are off lead to another branch.
-    let within = node_tolerance(stage.accuracy(), None);
+    let before = search.ends.clone();
     if search.ends.places.is_empty() {
         standing = HotContact::new(stage, level, effort)?;
         if let Some(hot) = &standing {
@@ -354,22 +355,46 @@ fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mu
             };
         }
     }
-    let positioned =
-        position(stage, level, (&search.ends, within), effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
-    if let Some((ends, Positioned { held, hot: Some(hot), .. })) = positioned {
-        search.ends = ends;
-        let hot = if held.complementarity < SIGNS_HOLD { hot } else { hot.released(effort)? };
-        let mut found = hot.found();
-        found.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-        return Ok(Some(Found { reduced: hot.reduced(), found, level, unsettled: false, hot: Some(hot) }));
+    let is_lost = standing.as_ref().is_some_and(|hot| hot.lost().is_some());
+    let mut found = on_ends(stage, level, &mut search.ends, effort)?;
+    let unsettled = found.is_none() && !search.ends.places.is_empty();
+    if found.is_none() && (is_lost || unsettled) {
+        standing = standing.map_or_else(|| HotContact::new(stage, level, effort), |hot| Ok(Some(hot)))?;
+        if let Some(hot) = &standing {
+            search.ends = from_slower(stage, level, hot, effort)?;
+        }
+        found = on_ends(stage, level, &mut search.ends, effort)?;
     }
-    let unsettled = !std::mem::take(&mut search.ends).places.is_empty();
+    // Other contacts have other factors on the speed.
+    if !before.places.is_empty() && !search.ends.is_alike(&before, SAME_CONTACT) {
+        search.speeds = None;
+    }
+    if found.is_some() {
+        return Ok(found);
+    }
+    search.ends = FreeEnds::default();
     let level = if unsettled { level.evenly() } else { level };
     let hot = match standing.filter(|_| !unsettled) {
         Some(hot) => Some(hot),
         None => HotContact::new(stage, level, effort)?,
     };
     Ok(hot.map(|hot| Found { reduced: hot.reduced(), found: hot.found(), level, unsettled, hot: Some(hot) }))
+}
+
+/// The hot contact with nodes on its ends, from trial ends; none where they do not settle, or where another one is found on them.
+fn on_ends<'a>(stage: Stage<'a>, level: Level, ends: &mut FreeEnds, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
+    // Ends of a hot contact move its heat, and so each other: nodes that are off lead to another branch.
+    let within = node_tolerance(stage.accuracy(), None);
+    let positioned = position(stage, level, (ends, within), effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
+    let Some((at, Positioned { held, hot: Some(hot), .. })) = positioned else { return Ok(None) };
+    let hot = if held.complementarity < SIGNS_HOLD { hot } else { hot.released(effort)? };
+    let mut found = hot.found();
+    if !at.bound_as_many(&found, hot.reduced().pair()?.trace().length()) {
+        return Ok(None);
+    }
+    *ends = at;
+    found.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+    Ok(Some(Found { reduced: hot.reduced(), found, level, unsettled: false, hot: Some(hot) }))
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.

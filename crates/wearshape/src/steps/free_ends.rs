@@ -130,6 +130,30 @@ pub(crate) fn followed(
     Ok(ends)
 }
 
+/// Parts of the sliding speed, the largest first, at which the contact on a standing mesh is looked at for ends that can be followed.
+const SLOWER: [f64; 4] = [0.875, 0.75, 0.5, 0.25];
+
+/// Ends of a hot contact whose points on the standing mesh lead nodes nowhere, or to other ends: what conducts may hold them at the border of a cell. They are
+/// followed from those at a smaller sliding speed; none where no such are found.
+pub(crate) fn from_slower(stage: Stage<'_>, level: Level, hot: &HotContact<'_>, work: &mut Effort) -> Result<FreeEnds, Fault> {
+    let length = hot.reduced().pair()?.trace().length();
+    for speed in SLOWER {
+        let Some(found) = hot.at_speed(speed, work)? else { continue };
+        let trial = FreeEnds::of(&found, length);
+        if trial.places.is_empty() {
+            continue;
+        }
+        let within = node_tolerance(stage.accuracy(), None);
+        let positioned = position_at(stage, level, (&trial, within, speed), work)?;
+        let Some((ends, _)) = positioned.filter(|(_, found)| found.held.complementarity < NEAR) else { continue };
+        let ends = followed(stage, level, (speed, ends), work)?;
+        if !ends.places.is_empty() {
+            return Ok(ends);
+        }
+    }
+    Ok(FreeEnds::default())
+}
+
 /// Bodies, and what of them follows the pressure where there is heat.
 type Followed<'a> = (Arc<Reduced>, Option<Following<'a>>);
 

@@ -8,7 +8,7 @@ use scene::Fault;
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
-use crate::heat_result::{HeatResult, MESHES_ALIKE};
+use crate::heat_result::{HEAT_ALIKE, HeatResult, MESHES_ALIKE};
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -61,6 +61,18 @@ impl<'a> HotContact<'a> {
         Ok(HotContact { stage, following, hot })
     }
 
+    /// The contact of the same bodies at a part of the sliding speed; none where there is none.
+    pub(crate) fn at_speed(&self, speed: f64, effort: &mut Effort) -> Result<Option<ContactSolution>, Fault> {
+        let following = &self.following;
+        let pair = following.reduced.pair()?;
+        let operator = following.reduced.operator(&pair, self.stage.friction() > 0.0)?;
+        effort.counters.contact_solves += 1;
+        let (gap, load) = (start_gaps(self.stage, &operator), self.stage.contact_load(operator.points()));
+        let slower =
+            effort.timed(Step::Contact, self.stage.clock(), |_| following.settled(&operator, &gap, &load, speed, None))?;
+        Ok(Some(slower.found).filter(|found| found.status.is_solved()))
+    }
+
     /// The bodies.
     pub(crate) fn reduced(&self) -> Arc<Reduced> {
         Arc::clone(&self.following.reduced)
@@ -91,7 +103,7 @@ impl<'a> HotContact<'a> {
         self.hot.heat.clone()
     }
 
-    /// Fills in the columns of heat and gives its numbers; `before` holds the factors on the speed of the level before.
+    /// Fills in the columns of heat and gives its numbers; `before` holds the factors on the speed of the level before, where that found the same contact.
     pub(crate) fn tell(
         &self,
         operator: &ContactOperator<'_>,
@@ -105,7 +117,12 @@ impl<'a> HotContact<'a> {
             let following = &self.following;
             let at = (&stage.contact_load(operator.points()), &found.closed[..]);
             let speeds = following.speeds(operator, at, &following.surfaces.rates)?;
-            result.take_speeds(&speeds, before.as_ref().map(|before| (before, MESHES_ALIKE)));
+            let smooth = match before {
+                None if !speeds.factors.singular.is_empty() => Some(following.smooth_factors(operator, at)?),
+                None | Some(_) => None,
+            };
+            let other = before.as_ref().map(|before| (before, MESHES_ALIKE));
+            result.take_speeds(&speeds, other.or(smooth.as_ref().map(|smooth| (smooth, HEAT_ALIKE))));
             *before = Some(speeds.factors);
         }
         Ok(result)

@@ -55,9 +55,9 @@ impl Hot {
 impl Lost {
     /// Why there is no contact.
     pub(super) fn words(&self) -> String {
-        let part = scene::short(self.at);
+        let part = if self.at < 1.0 { format!("{} of ", scene::short(self.at)) } else { String::new() };
         let what = "frictional heat narrows the contact, and none was found that carries the load";
-        format!("{what}: that of the cold bodies could not be followed to {part} of the sliding speed; slide more slowly")
+        format!("{what}: that of the cold bodies could not be followed to {part}the sliding speed; slide more slowly")
     }
 }
 
@@ -146,7 +146,7 @@ impl Following<'_> {
     }
 
     /// The contact at a factor on the sliding speed, from a contact that is near.
-    fn settled(
+    pub(super) fn settled(
         &self,
         operator: &ContactOperator<'_>,
         gap: &[f64],
