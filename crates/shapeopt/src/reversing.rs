@@ -19,7 +19,7 @@ use crate::gap_rate::GapRate;
 use crate::reversal_start::first_feed;
 use crate::reversed_pressure::{Pressures, pressures};
 use crate::rigid_wear::RigidWear;
-use crate::wear_problem::fits;
+use crate::wear_problem::{fits, not_finite};
 use contact::ContactSystem;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -124,6 +124,11 @@ impl ReversingProblem {
         let alike = self.systems[0].load.len() == self.systems[1].load.len();
         if !alike || !self.systems.iter().all(|system| fits(system, n)) {
             return wrong(format!("a contact system does not fit the {n} contact points"));
+        }
+        for (sense, system) in ["forward", "backward"].iter().zip(&self.systems) {
+            if let Some(place) = not_finite(system) {
+                return wrong(format!("the contact system {sense} has a number that is not finite: {place}"));
+            }
         }
         if self.counterface == Counterface::Revolving && !self.track_area.is_some_and(|area| area > 0.0) {
             return wrong("a revolving counter-face needs the area of its closed track".into());

@@ -215,12 +215,12 @@ impl WearProblem {
                 return wrong(format!("a wear rule does not do: {error}"));
             }
         }
-        for stage in &self.stages {
+        for (number, stage) in self.stages.iter().enumerate() {
             if !fits(&stage.system, n) || stage.speeds.len() != n || stage.speeds.iter().any(|v| !(*v >= 0.0 && v.is_finite())) {
                 return wrong(format!("a load stage does not fit the {n} contact points, or a sliding speed is negative"));
             }
-            if !is_finite(&stage.system) {
-                return wrong("the contact system of a load stage has numbers that are not finite".into());
+            if let Some(place) = not_finite(&stage.system) {
+                return wrong(format!("the contact system of load stage {number} has a number that is not finite: {place}"));
             }
         }
         if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n || !passing.is_all_finite()) {
@@ -271,11 +271,20 @@ impl WearProblem {
     }
 }
 
-/// Whether all numbers of a system are finite.
-fn is_finite(system: &ContactSystem) -> bool {
-    let ContactSystem { compliance, influence, balance, stiffness, load, opening, .. } = system;
-    [compliance, influence, balance, stiffness].iter().all(|matrix| matrix.is_all_finite())
-        && load.iter().chain(opening).all(|value| value.is_finite())
+/// The first number of a system that is not finite, with its place; none where all are.
+pub(crate) fn not_finite(system: &ContactSystem) -> Option<String> {
+    let ContactSystem { compliance, influence, balance, stiffness, load, opening, symmetric: _ } = system;
+    let matrices = [("compliance", compliance), ("influence", influence), ("balance", balance), ("stiffness", stiffness)];
+    let in_matrix = |(name, matrix): (&str, &Mat<f64>)| {
+        let rows = |column: usize| (0..matrix.nrows()).map(move |row| (row, column));
+        let (row, column) = (0..matrix.ncols()).flat_map(rows).find(|at| !matrix[*at].is_finite())?;
+        Some(format!("the {name} in row {row}, column {column} is {}", matrix[(row, column)]))
+    };
+    let in_list = |(name, values): (&str, &Vec<f64>)| {
+        let place = values.iter().position(|value| !value.is_finite())?;
+        Some(format!("the {name} in row {place} is {}", values[place]))
+    };
+    matrices.into_iter().find_map(in_matrix).or_else(|| [("load", load), ("opening", opening)].into_iter().find_map(in_list))
 }
 
 /// Whether a system is one of so many points, its matrices of one size with each other.

@@ -47,6 +47,33 @@ fn runs_of_wrong_sizes_steps_and_ends_are_refused() {
     refused(|run| (run.wear, run.until) = (second.clone(), Until::Depth(1.0)));
 }
 
+/// They were told as a load of the wrong direction.
+#[test]
+fn numbers_that_are_not_finite_are_refused_with_their_place() {
+    let said = |change: fn(&mut contact::ContactSystem)| {
+        let mut run = run();
+        change(&mut run.stages[0].system);
+        Evolution::new(&run).err().unwrap().to_string()
+    };
+    assert!(
+        said(|s| s.compliance[(2, 3)] = f64::NAN)
+            .ends_with("load stage 0 has a number that is not finite: the compliance in row 2, column 3 is NaN")
+    );
+    assert!(said(|s| s.balance[(4, 0)] = f64::INFINITY).contains("the balance in row 4, column 0 is inf"));
+    assert!(said(|s| s.load[0] = f64::NAN).contains("the load in row 0 is NaN"));
+    assert!(said(|s| s.opening[8] = f64::NAN).contains("the opening in row 8 is NaN"));
+    let reversing = |change: fn(&mut contact::ContactSystem)| {
+        let points = points(9);
+        let mut systems = [winkler(&points, None, 500.0), winkler(&points, None, 500.0)];
+        change(&mut systems[1]);
+        let (wear, counterface) = (WearPair::alone(LAW), Counterface::Fresh);
+        let problem = ReversingProblem { points, wear, counterface, track_area: None, systems, share: 0.5 };
+        steady_reversing(&problem).err().unwrap().to_string()
+    };
+    assert!(reversing(|s| s.load[0] = f64::NAN).contains("backward has a number that is not finite: the load in row 0 is NaN"));
+    assert!(reversing(|s| s.compliance[(1, 7)] = f64::NAN).contains("the compliance in row 1, column 7 is NaN"));
+}
+
 #[test]
 fn reversals_and_tolerances_of_wrong_sizes_are_refused() {
     let points = points(9);
