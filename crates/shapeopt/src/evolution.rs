@@ -27,8 +27,6 @@ use std::sync::Arc;
 /// Part of the stability bound that adaptive explicit steps take, and after how many of them the bound is computed anew.
 const EXPLICIT_PART: f64 = 0.9;
 const EXPLICIT_REVIEW: usize = 50;
-/// Part of the wear still to come below which a contact that wears itself free has no pressure left but round-off.
-const FREE: f64 = 1e-12;
 /// Part of a deviation whose time is wanted down to which steps see to it.
 const NEAR: f64 = 0.3;
 /// Error of the steps, as the stepping counts it, over that of the times that come of them (`run_in_times` in the tests).
@@ -237,7 +235,7 @@ impl<'a> Evolution<'a> {
             Stepping::Adaptive { .. } if self.problem.scheme == Scheme::Explicit => self.explicit_step_length(state),
             Stepping::Adaptive { accuracy } => {
                 let fastest = state.gap_rate.iter().copied().fold(0.0, f64::max);
-                if fastest > 0.0 { accuracy * gap_scale(&self.load(state).load, state) / fastest } else { f64::MAX }
+                if fastest > 0.0 { accuracy * gap_scale(&self.load(state).load, state) / fastest } else { self.lasts(state) }
             }
         }
     }
@@ -246,7 +244,7 @@ impl<'a> Evolution<'a> {
     fn explicit_step_length(&self, state: &WearState) -> f64 {
         let acting = self.load(state);
         let modes = run_in(&acting.load, &acting.rigid, &state.pressure, self.mean_speed(state));
-        modes.map_or(f64::MAX, |modes| EXPLICIT_PART * modes.explicit_limit)
+        modes.map_or_else(|| self.lasts(state), |modes| EXPLICIT_PART * modes.explicit_limit)
     }
 
     /// Takes one step into a new state, no farther than the wear wanted.
@@ -256,6 +254,9 @@ impl<'a> Evolution<'a> {
         if self.left(&state).is_none() {
             return self.step_from(state);
         }
+        if self.is_out_of_reach(&state) {
+            return Err(EvolutionStatus::Unreached { time: state.time });
+        }
         let to = self.step_from(state.clone())?;
         Ok(self.not_beyond(&state, to))
     }
@@ -263,7 +264,7 @@ impl<'a> Evolution<'a> {
     /// Takes one step from a state into a new one, shorter until it is accurate enough.
     fn step_from(&self, mut state: WearState) -> Result<WearState, EvolutionStatus> {
         let limit = self.limit(&state);
-        if !self.driven(&state) && state.steady_residual <= FREE && limit.is_finite() {
+        if self.is_free(&state) && limit.is_finite() {
             return Ok(self.idle(state, limit));
         }
         let mut wanted = state.first_to_try();

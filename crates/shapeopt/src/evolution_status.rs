@@ -18,6 +18,11 @@ pub enum EvolutionStatus {
         /// Time at which the contact came to it.
         time: f64,
     },
+    /// Nothing wears any more before the depth or volume wanted is worn off.
+    Unreached {
+        /// Time from which nothing wears.
+        time: f64,
+    },
     /// No step, however short, could be solved.
     Stuck {
         /// Time at which the run stopped.
@@ -39,6 +44,14 @@ impl fmt::Display for EvolutionStatus {
                     f,
                     "thermoelastic instability: at {} s frictional heat lets a deviation of the pressure grow instead of wearing off, \
                      so that the contact jumps from one place to another; slide more slowly, or begin with a gap nearer to the steady shape",
+                    readable(*time)
+                )
+            }
+            EvolutionStatus::Unreached { time } => {
+                write!(
+                    f,
+                    "from {} s on nothing wears, so that the depth or volume to be worn off is never reached; \
+                     end the run at a time, or let the bodies wear, slide and press on each other",
                     readable(*time)
                 )
             }

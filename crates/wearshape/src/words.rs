@@ -155,7 +155,7 @@ pub enum WearStatus {
     WornOff,
     /// After the most steps that are made.
     StepLimit,
-    /// No step succeeds any more.
+    /// No step succeeds any more, or nothing wears any more before what was to be worn off is worn off.
     Stuck,
     /// Frictional heat lets deviations of the pressure grow.
     Unstable,
@@ -168,7 +168,7 @@ impl From<&shapeopt::EvolutionStatus> for WearStatus {
             shapeopt::EvolutionStatus::TimeReached => WearStatus::TimeReached,
             shapeopt::EvolutionStatus::WornOff => WearStatus::WornOff,
             shapeopt::EvolutionStatus::Running => WearStatus::StepLimit,
-            shapeopt::EvolutionStatus::Stuck { .. } => WearStatus::Stuck,
+            shapeopt::EvolutionStatus::Stuck { .. } | shapeopt::EvolutionStatus::Unreached { .. } => WearStatus::Stuck,
             shapeopt::EvolutionStatus::Unstable { .. } => WearStatus::Unstable,
         }
     }

@@ -7,6 +7,8 @@ use crate::wear_state::WearState;
 
 /// Part of the depth or volume wanted at which a run ends.
 const WORN: f64 = 1e-10;
+/// Part of the wear still to come below which a contact that wears itself free has no pressure left but round-off.
+const FREE: f64 = 1e-12;
 
 impl Evolution<'_> {
     /// Status of a state just reached.
@@ -48,5 +50,36 @@ impl Evolution<'_> {
         let left = |state: &WearState| self.left(state).unwrap_or(0.0);
         let found = self.crossing(from, (to.step_size, beyond), &left);
         found.map_or(to.clone(), |found| WearState { rejected: to.rejected, newton_iterations: to.newton_iterations, ..found })
+    }
+
+    /// Part of the wear wanted that the rates of a state wear off each second; none where the run does not end by its wear.
+    fn progress(&self, state: &WearState) -> Option<f64> {
+        let acting = self.load(state);
+        let (rate, weights) = (&acting.load.rate, &acting.load.weights);
+        let both = |i: usize| weights[i] * (rate.wear(0, i, state.pressure[i]) + rate.wear(1, i, state.pressure[i]));
+        match self.problem.until {
+            Until::Depth(depth) => {
+                Some((0..state.worn.len()).map(|place| rate.worn(0, place, &state.pressure)).fold(0.0, f64::max) / depth)
+            }
+            Until::Volume(volume) => Some((0..weights.len()).map(both).sum::<f64>() / volume),
+            Until::Steady { .. } | Until::Time(_) => None,
+        }
+    }
+
+    /// Time that the wear wanted takes at the rates of a state; the longest there is where it is not reached at them.
+    pub(super) fn lasts(&self, state: &WearState) -> f64 {
+        let (Some(left), Some(progress)) = (self.left(state), self.progress(state)) else { return f64::MAX };
+        (left / progress).min(f64::MAX)
+    }
+
+    /// Whether the wear wanted is never reached: nothing wears in a state that stays as it is, or the contact has worn itself free.
+    pub(super) fn is_out_of_reach(&self, state: &WearState) -> bool {
+        let stays = self.progress(state) == Some(0.0) && state.gap_rate.iter().all(|rate| *rate == 0.0);
+        self.left(state).is_some() && self.limit(state).is_infinite() && (stays || self.is_free(state))
+    }
+
+    /// Whether a contact that no load pushes together has no wear left but round-off.
+    pub(super) fn is_free(&self, state: &WearState) -> bool {
+        !self.driven(state) && state.steady_residual <= FREE
     }
 }

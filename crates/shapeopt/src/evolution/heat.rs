@@ -135,6 +135,8 @@ impl<'a> Evolution<'a> {
     /// No step leads on from a state: without heat each would.
     pub(super) fn stuck(&self, state: &WearState, step: f64) -> EvolutionStatus {
         match self.problem.stages[self.stage(state)].heated {
+            // Steps that grow without a bound wear nothing more.
+            Some(_) | None if step.is_infinite() && self.left(state).is_some() => EvolutionStatus::Unreached { time: state.time },
             Some(_) => EvolutionStatus::Unstable { time: state.time },
             None => EvolutionStatus::Stuck { time: state.time, step },
         }

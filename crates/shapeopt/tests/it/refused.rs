@@ -74,6 +74,64 @@ fn numbers_that_are_not_finite_are_refused_with_their_place() {
     assert!(reversing(|s| s.compliance[(1, 7)] = f64::NAN).contains("the compliance in row 1, column 7 is NaN"));
 }
 
+/// Runs that wear nothing ended with "even a step of inf s has no solution", or never.
+#[test]
+fn a_depth_or_volume_that_is_never_reached_is_told_as_such() {
+    let at_rest = |run: &mut WearProblem| run.stages[0].speeds = vec![0.0; 9];
+    let ended = |change: &dyn Fn(&mut WearProblem)| {
+        let mut run = run();
+        change(&mut run);
+        let mut evolution = Evolution::new(&run).unwrap();
+        let state = evolution.by_ref().take(2000).last().unwrap();
+        (evolution.status().clone(), state)
+    };
+    for until in [Until::Depth(1.0), Until::Volume(1.0)] {
+        for stepping in [Stepping::Adaptive { accuracy: 1e-4 }, Stepping::Fixed(10.0)] {
+            for scheme in [Scheme::Sdirk4, Scheme::Explicit] {
+                let (status, state) = ended(&|run| {
+                    at_rest(run);
+                    (run.until, run.stepping, run.scheme) = (until, stepping, scheme);
+                });
+                assert_eq!(status, EvolutionStatus::Unreached { time: 0.0 });
+                assert!(status.to_string().contains("nothing wears") && state.step == 0);
+            }
+        }
+    }
+    // What slides no more after 50 s.
+    let (status, state) = ended(&|run| {
+        run.stages.push(run.stages[0].clone());
+        run.stages[1].speeds = vec![0.0; 9];
+        run.schedule = vec![Interval { stage: 0, duration: 50.0 }, Interval { stage: 1, duration: f64::INFINITY }];
+        run.until = Until::Volume(1.0);
+    });
+    assert_eq!(status, EvolutionStatus::Unreached { time: 50.0 });
+    assert!(state.volume[0] > 0.0);
+    // Bodies pressed together by .01 mm and by no force wear themselves free: 6 mm^3 at most.
+    let (status, state) = ended(&|run| {
+        let system = &mut run.stages[0].system;
+        (system.influence, system.balance, system.stiffness) = (Mat::zeros(9, 0), Mat::zeros(9, 0), Mat::zeros(0, 0));
+        (system.load, system.opening) = (Vec::new(), vec![-0.01; 9]);
+        run.until = Until::Volume(10.0);
+    });
+    assert!(matches!(status, EvolutionStatus::Unreached { .. }), "{status}");
+    assert!((state.volume[0] - 6.0).abs() < 1e-9, "{} mm^3", state.volume[0]);
+    // A time is reached whatever wears.
+    let (status, state) = ended(&|run| {
+        at_rest(run);
+        run.until = Until::Time(100.0);
+    });
+    assert_eq!((status, state.time, state.volume), (EvolutionStatus::TimeReached, 100.0, [0.0; 2]));
+    // Body 2 alone wears, and passes away with its wear: 1e-7 of 1000 N by 5 mm/s.
+    for scheme in [Scheme::Sdirk4, Scheme::Explicit] {
+        let (status, state) = ended(&|run| {
+            run.wear = WearPair::archard([0.0, 1e-7], [1.0; 2], [1.0; 2]);
+            (run.until, run.scheme) = (Until::Volume(1.0), scheme);
+        });
+        assert_eq!(status, EvolutionStatus::WornOff);
+        assert!((state.time / 2000.0 - 1.0).abs() < 1e-9 && (state.volume[1] - 1.0).abs() < 1e-9, "{} s", state.time);
+    }
+}
+
 #[test]
 fn reversals_and_tolerances_of_wrong_sizes_are_refused() {
     let points = points(9);

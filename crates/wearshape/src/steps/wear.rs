@@ -123,7 +123,7 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, on: On<'_>, watch: &mut Watch<'_>
         let coarser = ladder.is_fixed() && ladder.levels.last() != Some(&level);
         let ends = match ran.ended {
             EvolutionStatus::Unstable { .. } => !coarser,
-            ref ended => matches!(ended, EvolutionStatus::Stuck { .. }),
+            ref ended => matches!(ended, EvolutionStatus::Stuck { .. } | EvolutionStatus::Unreached { .. }),
         };
         let solved = Solved { left, run: Some(ran) };
         Ok(if ends { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })

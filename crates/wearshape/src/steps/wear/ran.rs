@@ -36,7 +36,9 @@ impl Ran {
     /// Why the run has not come to its end, if it has not.
     pub(super) fn failure(&self) -> Option<String> {
         match self.ended {
-            EvolutionStatus::Stuck { .. } | EvolutionStatus::Unstable { .. } => Some(self.ended.to_string()),
+            EvolutionStatus::Stuck { .. } | EvolutionStatus::Unreached { .. } | EvolutionStatus::Unstable { .. } => {
+                Some(self.ended.to_string())
+            }
             EvolutionStatus::Running if self.wear.steps < MOST_STEPS => {
                 Some("the wear was no rigid motion yet when the surface was worn 1000 times deeper than it is long".into())
             }
