@@ -11,7 +11,7 @@ use crate::cells::{BEYOND, is_beyond, whole};
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
-use crate::why::{BELOW, BOUNDED};
+use crate::why::{BELOW, BOUNDED, none};
 
 const ITERATIONS: usize = 60;
 const STEP: f64 = 1e-5;
@@ -148,9 +148,9 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
             return Err(stage.infeasible(if below {
                 BELOW
             } else if stage.problem.p_max.is_none() {
-                "friction carries it, or q is so large that its pressure is that of an infinite q"
+                none("friction carries it, or q is so large that its pressure is that of an infinite q")
             } else {
-                "the load is larger than the surface carries under p_max, or friction carries it"
+                none("the load is larger than the surface carries under p_max, or friction carries it")
             }));
         }
     }

@@ -7,7 +7,7 @@ use crate::newton::newton;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
 use crate::sums::sums;
-use crate::why::{ALL_CLOSED, AT_THE_AXIS};
+use crate::why::{ALL_CLOSED, AT_THE_AXIS, SELF_LOCKING, none};
 
 /// Multipliers found: the stage holds y; log p = log_scale + log h at every node.
 pub(crate) struct Balanced {
@@ -43,7 +43,7 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
         }
     };
     if nodes.iter().all(|node| node.log_h == f64::NEG_INFINITY) {
-        return Err(stage.infeasible("no point of the surface closes under the load"));
+        return Err(stage.infeasible(none("no point of the surface closes under the load")));
     }
     if k < 0.0 && (stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
         return Err(stage.infeasible(ALL_CLOSED));
@@ -60,7 +60,7 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
     let pivot = stage.law.pivot;
     let factor = stage.law.resultant(pivot) / total.force[pivot];
     if !(factor > 0.0 && factor.is_finite()) {
-        return Err(stage.infeasible("the friction carries the load: self-locking"));
+        return Err(stage.infeasible(SELF_LOCKING));
     }
     Ok(Balanced { log_scale: factor.ln() - total.shift, iterations, residual })
 }

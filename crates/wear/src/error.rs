@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::mode::{RigidMode, RigidMotion};
-use crate::why::opening;
+use crate::why::Unbalanced;
 
 /// Wrong input, or a problem that has no answer. Every message carries the numbers that led to it.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -35,11 +35,13 @@ pub enum WearError {
         /// The reason.
         why: &'static str,
     },
-    /// No pressure p >= 0 on the surface carries the prescribed resultants, none that is stationary does, or one of many: the message says which.
-    #[error("{} of {}: {why}", opening(why), resultants(modes))]
+    /// No pressure p >= 0 on the surface carries the prescribed resultants, none that is stationary does, or one of many: the kind says which.
+    #[error("{kind} of {}: {why}", resultants(modes))]
     Infeasible {
         /// The modes with their prescribed resultants.
         modes: Vec<RigidMode>,
+        /// What the load lacks.
+        kind: Unbalanced,
         /// The reason: moment beyond the edge, self-locking, no pressing force.
         why: &'static str,
     },

@@ -81,3 +81,4 @@ pub use singular::{LimitSide, singular_limit};
 pub use surface::{Shape, Surface};
 pub use table::{TableError, TableLaw};
 pub use threshold::ThresholdLaw;
+pub use why::Unbalanced;

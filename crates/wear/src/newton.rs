@@ -7,7 +7,7 @@ use crate::pressure_law::{ModeValues, Node};
 use crate::singular;
 use crate::stage::Stage;
 use crate::sums::sums;
-use crate::why::ON_THE_EDGE;
+use crate::why::{BEYOND_THE_EDGE, ON_THE_EDGE, SELF_LOCKING};
 use crate::{Modes, WearError};
 
 const ITERATIONS: usize = 100;
@@ -99,12 +99,8 @@ impl Search<'_> {
 }
 
 /// No pressure at all carries the load.
-fn not_carried(stage: &Stage<'_>) -> WearError {
-    stage.infeasible(if stage.bends() {
-        "the friction carries the load: self-locking"
-    } else {
-        "the moment is at or beyond the edge of the surface"
-    })
+pub(crate) fn not_carried(stage: &Stage<'_>) -> WearError {
+    stage.infeasible(if stage.bends() { SELF_LOCKING } else { BEYOND_THE_EDGE })
 }
 
 /// Why the iteration has ended away from a solution.

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use crate::pressure_law::PressureLaw;
 use crate::simplex::{Column, minimise};
 use crate::stage::Stage;
+use crate::why::BEYOND_THE_EDGE;
 use crate::{Modes, PointForce, Problem, SurfacePoint, WearError};
 
 /// From which side s approaches 1.
@@ -48,7 +49,7 @@ pub(crate) fn limit(stage: &Stage<'_>, speed_power: f64, side: LimitSide) -> Res
 }
 
 fn infeasible(stage: &Stage<'_>) -> WearError {
-    stage.infeasible("the moment is at or beyond the edge of the surface")
+    stage.infeasible(BEYOND_THE_EDGE)
 }
 
 /// The places of the smallest cost / phi, with ties shared equally.

@@ -9,7 +9,7 @@ use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
 use crate::turn;
-use crate::why::AT_REST;
+use crate::why::{AT_REST, CAPPED};
 use crate::{Shape, WearError};
 
 /// Solves the balance for any density, under the pressure cap if there is one: by Newton's method, and where that fails for two modes by
@@ -24,7 +24,7 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
     // Whatever the search for multipliers has ended with, this is why.
     match balanced {
         Err(_) if at_rest(stage) => Err(stage.infeasible(AT_REST)),
-        Err(_) if is_too_low(stage) => Err(stage.infeasible("the load is larger than the surface carries under p_max")),
+        Err(_) if is_too_low(stage) => Err(stage.infeasible(CAPPED)),
         other => other,
     }
 }

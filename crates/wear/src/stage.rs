@@ -5,6 +5,7 @@ use crate::mode::MAX_MODES;
 use crate::pressure_law::{Node, PressureLaw};
 use crate::quadrature::{Rule, graded, jacobi};
 use crate::recession::Recession;
+use crate::why::{Why, none};
 use crate::{Problem, RigidMode, RigidMotion, WearError};
 
 /// What the solver works on.
@@ -97,8 +98,8 @@ impl<'a> Stage<'a> {
     }
 
     /// The load is not carried, and why.
-    pub(crate) fn infeasible(&self, why: &'static str) -> WearError {
-        WearError::Infeasible { modes: self.problem.modes.as_slice().to_vec(), why }
+    pub(crate) fn infeasible(&self, why: Why) -> WearError {
+        infeasible(self.problem, why)
     }
 
     /// True when psi = phi at every node: the stationary pressure is a true extremum (or the modes are associated).
@@ -106,6 +107,11 @@ impl<'a> Stage<'a> {
         let same = |node: &Node, k: usize| (node.modes.phi[k] - node.modes.psi[k]).abs() <= 1e-14;
         nodes.iter().all(|node| (0..self.law.count).all(|k| same(node, k)))
     }
+}
+
+/// The load of a problem is not carried, and why.
+fn infeasible(problem: &Problem, Why { kind, words }: Why) -> WearError {
+    WearError::Infeasible { modes: problem.modes.clone(), kind, why: words }
 }
 
 /// The mode whose closing velocity is the starting guess of f: the first translation that presses, else the largest resultant.
@@ -118,10 +124,7 @@ fn pivot(problem: &Problem, law: &PressureLaw) -> Result<usize, WearError> {
     let chosen = (0..law.count).find(pressing).unwrap_or(by_size);
     let translates = problem.modes.iter().any(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
     if problem.modes[chosen].resultant == 0.0 || (translates && !pressing(&chosen)) {
-        return Err(WearError::Infeasible {
-            modes: problem.modes.as_slice().to_vec(),
-            why: "no force presses the bodies together",
-        });
+        return Err(infeasible(problem, none("no force presses the bodies together")));
     }
     Ok(chosen)
 }

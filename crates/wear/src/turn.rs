@@ -13,7 +13,7 @@ use crate::pressure_law::Node;
 use crate::singular;
 use crate::stage::Stage;
 use crate::sums::sums;
-use crate::why::BOUNDED;
+use crate::why::{BOUNDED, Why, none};
 
 /// Directions of the first search, over the whole turn.
 const DIRECTIONS: usize = 360;
@@ -29,7 +29,7 @@ const SIZED: f64 = 1e-8;
 const SHORT: f64 = 1e-6;
 /// Part of f at which a pressure that grows towards f = 0 is a force on the edge.
 const AT_THE_EDGE: f64 = 1e-3;
-const NO_MOTION: &str = "the friction holds body 1: no rigid motion of it wears the surface under this load (jammed)";
+const NO_MOTION: Why = none("the friction holds body 1: no rigid motion of it wears the surface under this load (jammed)");
 
 /// Whether an error of Newton's method may be one of its way, not of the load.
 pub(crate) fn may_help(stage: &Stage<'_>, error: &WearError) -> bool {

@@ -4,7 +4,7 @@ use crate::surfaces::{problem, punch};
 use nalgebra::Vector3;
 use wear::{
     Counterface, FunctionLaw, Functional, Groove, OwnRule, Problem, RigidMode, RigidMotion, Shape, SlidingMotion, Surface,
-    SurfacePoint, WearError, WearLaw, WearPair, optimal_pressure,
+    SurfacePoint, Unbalanced, WearError, WearLaw, WearPair, optimal_pressure,
 };
 
 fn tilted(q: f64, moment: f64) -> Problem {
@@ -130,9 +130,17 @@ fn reasons_speak_of_the_pressures_that_they_are_true_of() {
     let law = WearLaw { factor: 1e-7, speed_exponent: 1.0, pressure_exponent: 1.0 };
     let one = vec![RigidMode::press_down(10.0)];
     let two = vec![RigidMode::press_down(10.0), RigidMode::tilt(1.0, Vector3::zeros())];
-    let words = |problem: &Problem| optimal_pressure(problem).unwrap_err().to_string();
+    let kind = |error: &WearError| match error {
+        WearError::Infeasible { kind, .. } => *kind,
+        other => unreachable!("{other}"),
+    };
+    let words = |problem: &Problem, wanted: Unbalanced| {
+        let error = optimal_pressure(problem).unwrap_err();
+        assert_eq!(kind(&error), wanted);
+        error.to_string()
+    };
     for modes in [one.clone(), two.clone()] {
-        let said = words(&Problem::new(listed.clone(), law, modes));
+        let said = words(&Problem::new(listed.clone(), law, modes), Unbalanced::NoStationaryPressure);
         assert!(said.starts_with("no stationary pressure") && said.contains("does not slide"), "{said}");
     }
     // Without the speed in the rule the point counts like another.
@@ -143,10 +151,10 @@ fn reasons_speak_of_the_pressures_that_they_are_true_of() {
         assert_eq!(named(error), "rate of a wear rule given as a function");
     }
     let below = WearPair::alone(law).above([1.0, 0.0]);
-    let said = words(&Problem { wear: below, ..Problem::new(punch(), law, one) });
+    let said = words(&Problem { wear: below, ..Problem::new(punch(), law, one) }, Unbalanced::ManyPressures);
     assert!(said.starts_with("more than one pressure"), "{said}");
-    let said = words(&tilted(-1.0, 24_000.0));
+    let said = words(&tilted(-1.0, 24_000.0), Unbalanced::NoStationaryPressure);
     assert!(said.starts_with("no stationary pressure"), "{said}");
-    let said = words(&tilted(2.0, 40_000.0));
+    let said = words(&tilted(2.0, 40_000.0), Unbalanced::NoPressure);
     assert!(said.starts_with("no pressure p >= 0"), "{said}");
 }
