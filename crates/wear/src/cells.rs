@@ -248,12 +248,16 @@ impl Line<'_, '_> {
         }
     }
 
-    /// At s = 1, where all that a place carries depends on the sign of f: a cell whose samples have one sign is split at an inner extremum of the other.
+    /// A cell whose samples have one sign is split at an inner extremum of the other: contact that lies between them, and at s = 1, where all that a place
+    /// carries depends on the sign of f, an opening too.
     fn at_hidden(&self, cell: &Interval, place: &dyn Fn(usize) -> f64, samples: &[Node; SAMPLES]) -> Option<Verdict> {
-        if !matches!(self.stage.law.density, Density::BangBang { .. }) {
+        let closed = samples[0].f > 0.0;
+        // Beside an end of contact there is none.
+        let elsewhere = closed || cell.front != [false, false];
+        if elsewhere && !matches!(self.stage.law.density, Density::BangBang { .. }) {
             return None;
         }
-        let side = if samples[0].f > 0.0 { -1.0 } else { 1.0 };
+        let side = if closed { -1.0 } else { 1.0 };
         let u = hidden(&samples.map(|node| side * node.f), place, &|u| side * self.node(u).f)?;
         (u > cell.lo && u < cell.hi).then_some(Verdict::Halve(u, false))
     }

@@ -4,7 +4,6 @@
 //! of the surface to another, and is graded towards such a place.
 
 use crate::cells::{Line, ROUND_OFF, SAMPLES, Settings, cut_short, hidden, peak, smooth};
-use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -99,11 +98,8 @@ impl Stage<'_> {
         0.5 * (a + b)
     }
 
-    /// Where between two lines the first or the last one carries at s = 1, if some lines do that lie between the places looked at.
+    /// Where between two lines the first or the last one carries, if some lines do that lie between or beside the places looked at.
     fn hidden_border(&self, [lo, hi]: [f64; 2], inner: [f64; 2]) -> Option<f64> {
-        if !matches!(self.law.density, Density::BangBang { .. }) {
-            return None;
-        }
         let ridge = |outer: f64| self.ridge(outer, inner);
         let place = |i: usize| lo + (hi - lo) * i as f64 / (SAMPLES - 1) as f64;
         let samples: [f64; SAMPLES] = std::array::from_fn(|i| ridge(place(i)));

@@ -7,6 +7,7 @@ mod caps;
 mod engineering;
 mod extreme;
 mod multipliers;
+mod near_the_border;
 mod own_functional;
 mod own_rule;
 mod properties;
