@@ -3,13 +3,22 @@
 use std::fmt;
 use std::sync::Arc;
 
+use crate::WearError;
+
+/// What is refused of a rule.
+const RATE: &str = "rate of a wear rule given as a function";
+/// Part by which a rate near its bound may fall by round-off from one pressure to the next.
+const FALL: f64 = 1e-9;
+
 /// Wear rate and its slope as a function of pressure (MPa) and sliding speed (mm/s): `[w', dw'/dp]` in mm/s and mm/(s MPa).
 type RateAndSlope = dyn Fn(f64, f64) -> [f64; 2] + Send + Sync;
 
 /// A wear rule that is no power of the pressure: with a threshold, with a change from mild to severe wear, with a rate that saturates.
 ///
 /// The rate must be zero up to some pressure p0 >= 0, continuous, and grow from there; where it comes near a bound the pressure of the steady
-/// state grows without one. Two rules are equal if one is a clone of the other, or if they have the same name and the same numbers.
+/// state grows without one. A [`Problem`](crate::Problem) is refused whose rates are no numbers, negative, or less at a larger pressure, at
+/// 61 pressures from 1e-3 to 1e3 MPa, ten a decade, with the lowest and the highest speed of the surface that slides; between these speeds rates
+/// of no numbers are looked for at 1e-3, 1 and 1e3 MPa. Two rules are equal if one is a clone of the other, or if they have the same name and the same numbers.
 #[derive(Clone)]
 pub struct OwnRule {
     law: Arc<RateAndSlope>,
@@ -45,6 +54,33 @@ impl OwnRule {
     /// `[w', dw'/dp]` at a pressure above 0.
     pub(crate) fn at(&self, pressure: f64, sliding_speed: f64) -> [f64; 2] {
         (self.law)(pressure, sliding_speed)
+    }
+
+    /// Refuses rates that are no numbers, at a few pressures (MPa). Large pressures may wear without a bound.
+    pub(crate) fn check_numbers(&self, sliding_speed: f64) -> Result<(), WearError> {
+        let rates = [-3, 0, 3].map(|decade| self.rate(10_f64.powi(decade), sliding_speed));
+        let wrong = rates.into_iter().find(|rate| rate.is_nan()).or(Some(rates[0]).filter(|rate| rate.is_infinite()));
+        wrong.map_or(Ok(()), |value| Err(WearError::OutOfRange { name: RATE, value, wanted: "finite" }))
+    }
+
+    /// Refuses rates that are no numbers, negative, or less at a larger pressure, at pressures ten a decade.
+    pub(crate) fn check_growth(&self, sliding_speed: f64) -> Result<(), WearError> {
+        self.check_numbers(sliding_speed)?;
+        let mut before = 0.0;
+        for tenth in -30..=30 {
+            let value = self.rate(10_f64.powf(0.1 * f64::from(tenth)), sliding_speed);
+            let wanted = match value {
+                _ if value.is_nan() => "finite",
+                _ if value < 0.0 => "zero or positive",
+                _ if value < before * (1.0 - FALL) => "no less than at a smaller pressure",
+                _ => {
+                    before = value;
+                    continue;
+                }
+            };
+            return Err(WearError::OutOfRange { name: RATE, value, wanted });
+        }
+        Ok(())
     }
 
     pub(crate) fn rate(&self, pressure: f64, sliding_speed: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! A wear problem: surface, rule, load, and what is to be made stationary.
 
 use crate::mode::MAX_MODES;
-use crate::{Balance, Functional, Modes, RigidMode, Rule, Shape, Surface, WearError, WearPair};
+use crate::{Balance, Functional, Modes, OwnRule, RigidMode, Rule, Shape, Surface, SurfacePoint, WearError, WearPair};
 
 /// The way body 2's points pass through the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,18 +95,25 @@ impl Problem {
         self.check_rates()
     }
 
-    /// Refuses functions whose rates are no numbers, at a few pressures and the speeds of the surface.
+    /// Refuses functions whose rates are no numbers at the speeds of the surface, or do not grow with the pressure at the lowest and the highest.
     fn check_rates(&self) -> Result<(), WearError> {
-        let mut wrong = None;
-        self.surface.survey(&mut |point| {
-            for rule in self.wear.rules.iter().filter(|rule| matches!(rule, Rule::Own(_)) && point.sliding_speed > 0.0) {
-                let rates = [1e-3, 1.0, 1e3].map(|pressure| rule.rate(pressure, point.sliding_speed));
-                // Large pressures may wear without a bound.
-                wrong =
-                    wrong.or(rates.into_iter().find(|rate| rate.is_nan())).or(Some(rates[0]).filter(|rate| rate.is_infinite()));
+        let own = |rule: &Rule| if let Rule::Own(rule) = rule { Some(rule.clone()) } else { None };
+        let rules: Vec<OwnRule> = self.wear.rules.iter().filter_map(own).collect();
+        if rules.is_empty() {
+            return Ok(());
+        }
+        let mut wrong = Ok(());
+        let [mut lowest, mut highest] = [f64::INFINITY, 0.0_f64];
+        self.surface.survey(&mut |SurfacePoint { sliding_speed: speed, .. }| {
+            if *speed > 0.0 && wrong.is_ok() {
+                [lowest, highest] = [lowest.min(*speed), highest.max(*speed)];
+                wrong = rules.iter().try_for_each(|rule| rule.check_numbers(*speed));
             }
         });
-        let name = "rate of a wear rule given as a function";
-        wrong.map_or(Ok(()), |value| Err(WearError::OutOfRange { name, value, wanted: "finite" }))
+        wrong?;
+        let speeds = [lowest, highest].into_iter().filter(|speed| highest > 0.0 && speed.is_finite());
+        speeds
+            .flat_map(|speed| rules.iter().map(move |rule| (rule, speed)))
+            .try_for_each(|(rule, speed)| rule.check_growth(speed))
     }
 }

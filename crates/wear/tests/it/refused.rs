@@ -158,3 +158,29 @@ fn reasons_speak_of_the_pressures_that_they_are_true_of() {
     let said = words(&tilted(2.0, 40_000.0), Unbalanced::NoPressure);
     assert!(said.starts_with("no pressure p >= 0"), "{said}");
 }
+
+/// Rates were looked at at three pressures alone, and a rule that falls between them had a steady state that is none.
+#[test]
+fn rules_of_ones_own_whose_rate_does_not_grow_are_refused_by_name() {
+    let force = vec![RigidMode::press_down(1000.0)];
+    let answer = |law: fn(f64, f64) -> [f64; 2]| optimal_pressure(&Problem::new(punch(), OwnRule::new(law), force.clone()));
+    let refused = |law| match answer(law) {
+        Err(WearError::OutOfRange { name: "rate of a wear rule given as a function", wanted, .. }) => wanted,
+        other => unreachable!("{other:?}"),
+    };
+    // Less wear from 20 to 30 MPa than at 20 MPa.
+    assert_eq!(
+        refused(|p, v| if (20.0..30.0).contains(&p) { [1e-6 * v, 0.0] } else { [1e-7 * p * v, 1e-7 * v] }),
+        "no less than at a smaller pressure"
+    );
+    assert_eq!(refused(|p, v| if p < 0.1 { [-1e-7 * v, 0.0] } else { [1e-7 * p * v, 1e-7 * v] }), "zero or positive");
+    assert_eq!(refused(|p, v| if (50.0..70.0).contains(&p) { [f64::NAN; 2] } else { [1e-7 * p * v, 1e-7 * v] }), "finite");
+    // Only where it slides fast.
+    let fast = |p: f64, v: f64| if v > 250.0 && p > 20.0 { [1e-9, 0.0] } else { [1e-7 * p * v, 1e-7 * v] };
+    let ring = Problem::new(crate::surfaces::annulus(), OwnRule::new(fast), force.clone());
+    assert_eq!(named(optimal_pressure(&ring).unwrap_err()), "rate of a wear rule given as a function");
+    // A threshold, a bound, and a rate without one are rates that grow.
+    assert!(answer(|p, v| if p > 0.1 { [1e-7 * (p - 0.1) * v, 1e-7 * v] } else { [0.0; 2] }).is_ok());
+    assert!(answer(|p, v| [1e-5 * v * p.tanh(), 1e-5 * v * (1.0 - p.tanh().powi(2))]).is_ok());
+    assert!(answer(|p, v| [1e-7 * v * (p.exp() - 1.0), 1e-7 * v * p.exp()]).is_ok());
+}
