@@ -16,6 +16,9 @@ pub(crate) fn plan_json(problem: &Problem, bodies: &Bodies, progress: &Progress)
         "lints": problem.remarks(),
         "unused_keys": problem.unused_keys(),
     });
+    if let Some(reason) = problem.unanswered() {
+        plan["no_answer"] = json!(reason);
+    }
     match expected(problem, bodies, progress) {
         Some(Ok(levels)) => plan["expected"] = json!(levels),
         Some(Err(fault)) => plan["not_expected"] = json!(fault.message),
@@ -70,6 +73,9 @@ pub(crate) fn describe(problem: &Problem) -> String {
     }
     for (number, body) in problem.holding().iter().enumerate() {
         out += &format!("{}{body}\n", if number == 0 { "\n" } else { "" });
+    }
+    if let Some(reason) = problem.unanswered() {
+        out += &format!("\nno answer: {reason}\n  run says the same, and ends with 1\n");
     }
     for lint in problem.remarks() {
         out += &format!("\nnote [{}]: {}\n  more: wearshape explain {}\n", lint.code, lint.message, lint.code);

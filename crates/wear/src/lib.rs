@@ -68,7 +68,7 @@ pub use law::{WearLaw, wear_rate};
 pub use mode::{Balance, Modes, RigidMode, RigidMotion};
 pub use motion::SlidingMotion;
 pub use objective::functional_value;
-pub use optimum::{optimal_pressure, stationary_pressures};
+pub use optimum::{carried, optimal_pressure, stationary_pressures};
 pub use own_functional::OwnFunctional;
 pub use own_rule::OwnRule;
 pub use pair::WearPair;

@@ -1,14 +1,16 @@
 //! From a problem to its answer.
 
+use crate::cap::is_too_low;
 use crate::density::Density;
+use crate::newton::not_carried;
 use crate::ratio;
 use crate::reduce::{Task, reduce};
 use crate::report::report;
-use crate::singular::{LimitSide, limit};
+use crate::singular::{LimitSide, carries, limit};
 use crate::singular_report::singular_report;
 use crate::solve::balance_any;
 use crate::stage::Stage;
-use crate::why::{ALL_CLOSED, ON_THE_EDGE};
+use crate::why::{ALL_CLOSED, CAPPED, ON_THE_EDGE};
 use crate::{Optimum, Problem, Regime, WearError};
 
 /// Optimal pressure of a problem: the stationary pressure of its functional, the steady state, or the limit where there is no pressure.
@@ -35,6 +37,20 @@ pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
         best.regime = Regime::Several;
     }
     Ok(best)
+}
+
+/// Refuses a load that no pressure p >= 0 on the surface carries, or none up to `p_max`, without a search for the optimal one: a fraction of a millisecond.
+/// What passes may still have no stationary pressure.
+///
+/// # Errors
+/// [`WearError::Infeasible`] for such a load; [`WearError::OutOfRange`] and [`WearError::Modes`] for numbers and modes that make no problem.
+pub fn carried(problem: &Problem) -> Result<(), WearError> {
+    problem.check()?;
+    let stage = Stage::new(problem, Density::BangBang { speed_power: 0.0 })?;
+    if is_too_low(&stage) {
+        return Err(stage.infeasible(CAPPED));
+    }
+    if carries(&stage) { Ok(()) } else { Err(not_carried(&stage)) }
 }
 
 /// All stationary pressures found: more than one is possible for the wear volume with b < 1, s > 1 and a1 != a2.

@@ -144,6 +144,13 @@ impl Problem {
         self.available_on(&Bodies::default())
     }
 
+    /// Why [`solve`](crate::solve()) ends without an answer, where the pressure shows it without a mesh and within a millisecond: along a line whatever
+    /// keeps it from having an optimal pressure; on an area that no pressure, or none up to `optimum.p_max`, carries the load. Most of what has no answer
+    /// shows that only when it is solved.
+    pub fn unanswered(&self) -> Option<String> {
+        pressure::unanswered(self)
+    }
+
     /// [`Problem::available`] that leaves the meshes it made to a solve on the same `bodies`: cells that are given take long to match.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! `wearshape check`: what a scene means, before anything is computed.
+//! `wearshape check`: what a scene means, before more than its pressure is computed.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};

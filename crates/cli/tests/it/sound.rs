@@ -23,6 +23,29 @@ fn what_cannot_be_meshed_is_refused_by_check_as_by_run() {
     }
 }
 
+/// A load that no pressure carries is an answer of `run`, with exit 1, which `check` foretells.
+#[test]
+fn check_says_that_no_pressure_carries_a_load_where_run_ends_without_one() {
+    let bench = Bench::new();
+    for (scene, words) in [
+        ("rectangular-punch --set optimum.p_max=4", "under p_max"),
+        ("rectangular-punch --set load.moment=310000", "at or beyond the edge"),
+        ("elliptic-punch --set optimum.p_max=1e-3", "under p_max"),
+        ("translating-punch --set optimum.p_max=1.6 --set tasks=[pressure]", "under p_max"),
+        ("drum-brake-block --set optimum.p_max=.1", "under p_max"),
+    ] {
+        let call = |call: &str| bench.call_with(&call.split_whitespace().collect::<Vec<_>>());
+        let [check, run] = ["check", "run"].map(|command| call(&format!("{command} {scene} --set output.report=false")));
+        assert_eq!((check.code, run.code), (0, 1), "{scene}: {}{}", check.err, run.out);
+        assert!(check.out.contains("\nno answer: no pressure") && check.out.contains(words), "{scene}: {}", check.out);
+        let plan: serde_json::Value = serde_json::from_str(&call(&format!("check {scene} --json")).out).unwrap();
+        assert!(plan["no_answer"].as_str().unwrap().contains(words), "{scene}: {plan}");
+    }
+    for scene in ["rectangular-punch", "elliptic-punch", "disc-pad", "translating-punch", "bushing"] {
+        assert!(!bench.call(&format!("check {scene}")).out.contains("no answer"), "{scene}");
+    }
+}
+
 /// Every single support on every edge of every built-in scene with bodies.
 #[test]
 fn check_and_run_agree_under_all_supports() {

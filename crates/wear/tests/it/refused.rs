@@ -184,3 +184,25 @@ fn rules_of_ones_own_whose_rate_does_not_grow_are_refused_by_name() {
     assert!(answer(|p, v| [1e-5 * v * p.tanh(), 1e-5 * v * (1.0 - p.tanh().powi(2))]).is_ok());
     assert!(answer(|p, v| [1e-7 * v * (p.exp() - 1.0), 1e-7 * v * p.exp()]).is_ok());
 }
+
+/// What `carried` refuses has no optimal pressure, for the same reason.
+#[test]
+fn loads_that_no_pressure_carries_are_told_without_a_search_for_one() {
+    let said =
+        |problem: &Problem| [wear::carried(problem), optimal_pressure(problem).map(|_| ())].map(|answer| answer.unwrap_err());
+    // 1000 N on 600 mm^2.
+    let capped = |p_max: f64, moment: f64| Problem { p_max: Some(p_max), ..tilted(2.0, moment) };
+    for (problem, words) in [
+        (capped(1.6, 0.0), "under p_max"),
+        (capped(2.0, 6000.0), "under p_max"),
+        (tilted(2.0, 30_000.0), "beyond the edge"),
+        (tilted(2.0, -40_000.0), "beyond the edge"),
+        (Problem { modes: vec![RigidMode::press_down(-1000.0)], ..tilted(2.0, 0.0) }, "no force presses"),
+    ] {
+        let [carried, optimal] = said(&problem);
+        assert!(carried.to_string().contains(words) && carried == optimal, "{carried} {optimal}");
+    }
+    for problem in [capped(1.7, 0.0), capped(2.0, 2000.0), tilted(2.0, 29_900.0), tilted(0.5, 0.0)] {
+        assert_eq!((wear::carried(&problem), optimal_pressure(&problem).is_ok()), (Ok(()), true));
+    }
+}

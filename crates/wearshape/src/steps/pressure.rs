@@ -16,6 +16,7 @@ use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
 use crate::results::{ByRole, ErrorResult, PointForce, PressureResult};
 use crate::solution::{PressureMap, Status};
+use crate::step::Step;
 use crate::steps::{life, sensitivity};
 use crate::surface::Patch;
 use crate::words::{self, PointStatus};
@@ -103,6 +104,17 @@ pub(crate) fn infinite_at(patch: &Patch, optimum: &wear::Optimum) -> Option<Surf
 fn not_known() -> Fault {
     let message = "the contact surface of this geometry is not known before it is meshed, so it has no optimal pressure yet";
     Fault::at("tasks", "not-available", message, "ask for tasks = [\"contact\"]")
+}
+
+/// Why a problem has no optimal pressure, as far as that takes a fraction of a millisecond: all of it along a line; of an area whether any pressure carries
+/// the load.
+pub(crate) fn unanswered(problem: &Problem) -> Option<String> {
+    let known = !problem.plan.runs(Step::Force) && problem.reversing.is_none();
+    let asked = problem.plan.runs(Step::Pressure) && known;
+    let wear = if asked { wear_problem(problem).ok() } else { None }?;
+    let on_a_line = matches!(wear.surface.shape(), Shape::Strip { .. } | Shape::Arc { .. } | Shape::Annulus { .. });
+    let found = if on_a_line { wear::optimal_pressure(&wear).map(|_| ()) } else { wear::carried(&wear) };
+    found.err().map(|error| error.to_string())
 }
 
 /// The problem in the words of the theory.
