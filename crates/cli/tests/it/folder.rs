@@ -250,6 +250,35 @@ fn a_recording_is_written_when_asked_for_and_holds_the_scene() {
     assert_eq!(profile["points"].as_array().map(Vec::len), Some(rows));
 }
 
+/// As the page of outputs says: the steps have the gap as it is worn, the end has its lowest rigid part.
+#[test]
+fn the_gap_of_the_last_step_is_that_of_the_end_but_for_a_rigid_motion() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("run punch-wear -q --set mesh.degree=4 --set output.recording=true -o w").code, 0);
+    let bytes = bench.bytes("w/run.mcap");
+    let messages = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap);
+    let last = messages.filter(|message| message.channel.topic == "/contact/profile").last().unwrap();
+    let last: serde_json::Value = serde_json::from_slice(&last.data).unwrap();
+    let points = last["points"].as_array().unwrap();
+    let table = bench.read("w/contact.csv");
+    let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let column = |name: &str| names.iter().position(|known| *known == name).unwrap();
+    let [x, gap] = ["x_mm", "gap_um"].map(column);
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    let at_end: Vec<[f64; 2]> = rows.map(|row| [number(row[x]), number(row[gap])]).collect();
+    assert_eq!(at_end.len(), points.len());
+    let lifted: Vec<[f64; 2]> =
+        points.iter().zip(&at_end).map(|(point, [x, gap])| [*x, point["gap_um"].as_f64().unwrap() - gap]).collect();
+    let ([x0, d0], [x1, d1]) = (lifted[0], *lifted.last().unwrap());
+    assert!(d0.abs().max(d1.abs()) > 1.0, "the punch is worn by more than a micrometre: {d0} {d1}");
+    for [x, d] in &lifted {
+        approx::assert_abs_diff_eq!(*d, d0 + (d1 - d0) * (x - x0) / (x1 - x0), epsilon = 1e-9 * d0.abs().max(d1.abs()));
+    }
+    let least = at_end.iter().map(|[_, gap]| *gap).fold(f64::INFINITY, f64::min);
+    assert!(least.abs() < 1e-9, "the lowest rigid part closes the gap of the end: {least}");
+}
+
 #[test]
 fn a_full_disk_ends_with_a_remedy_and_keeps_the_folder_that_was_there() {
     let bench = Bench::new();
