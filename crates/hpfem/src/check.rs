@@ -42,6 +42,7 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
             return out(format!("the radius of vertex {i}"), x[0], "zero or positive");
         }
     }
+    check_scale(problem, size)?;
     check_components(problem)?;
     check_angles(problem)?;
     check_pins_and_foundations(problem)?;
@@ -50,6 +51,18 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
             return Err(Error::DuplicateLoadCase { name: case.name.clone() });
         }
         check_case(case, mesh, problem.kinematics)?;
+    }
+    Ok(())
+}
+
+/// Refuses moduli that bring displacements below or beyond all numbers: a load of 1 MPa moves by about the size of a body over its modulus.
+fn check_scale(problem: &BodyProblem, size: f64) -> Result<(), Error> {
+    for (number, material) in problem.materials.iter().enumerate() {
+        let value = size / material.size(problem.kinematics);
+        if !value.is_normal() {
+            let quantity = format!("the size of the mesh over the stiffness of material {number}");
+            return Err(Error::OutOfRange { quantity, value, range: "from 1e-307 to 1e308" });
+        }
     }
     Ok(())
 }

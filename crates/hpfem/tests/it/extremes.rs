@@ -79,6 +79,13 @@ fn cells_of_aspect_ten_thousand_stay_accurate() {
 
 /// Kept unknowns of the patch under a load, all lengths multiplied by `length`, the load by `load`, the modulus by `modulus`.
 fn scaled(kinematics: Kinematics, length: f64, load: f64, modulus: f64, held: bool) -> Vec<f64> {
+    let body = scaled_body(kinematics, [length, load, modulus], held).unwrap();
+    // Nothing balances the load of the body that floats.
+    assert!(held || matches!(body.solve(&[("0", 1.0)]), Err(Error::Unbalanced { .. })));
+    afloat(&body, &[1.0]).unknowns
+}
+
+fn scaled_body(kinematics: Kinematics, [length, load, modulus]: [f64; 3], held: bool) -> Result<Body, Error> {
     let mesh = patch([1, 3, 0, 2], Shape::Arcs, 0.0);
     let names = ["bottom", "right", "top", "left"];
     let vertices = mesh.vertices.iter().map(|x| x.map(|v| v * length)).collect();
@@ -109,10 +116,7 @@ fn scaled(kinematics: Kinematics, length: f64, load: f64, modulus: f64, held: bo
         [load * x, load * (1.0 - x * x)]
     })]];
     let supports = if held { &supports[..] } else { &[] };
-    let body = Body::new(problem(&mesh, 7, kinematics, &materials, supports, &cases, Some("right"))).unwrap();
-    // Nothing balances the load of the body that floats.
-    assert!(held || matches!(body.solve(&[("0", 1.0)]), Err(Error::Unbalanced { .. })));
-    afloat(&body, &[1.0]).unknowns
+    Body::new(problem(&mesh, 7, kinematics, &materials, supports, &cases, Some("right")))
 }
 
 #[test]
@@ -137,6 +141,27 @@ fn a_floating_body_scales_too() {
         let largest = base.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
         for (a, b) in other.iter().zip(&base) {
             assert!((a - b * two(l + f - e)).abs() < 1e-12 * largest * two(l + f - e));
+        }
+    }
+}
+
+/// Displacements below all numbers were zero, and with them the stress.
+#[test]
+fn a_modulus_that_numbers_are_not_enough_for_is_refused_by_name() {
+    for (length, modulus) in [(1e-150, 1e200), (1e-10, 1e300), (1e20, 1e-300)] {
+        match scaled_body(PLANE_STRAIN, [length, 1.0, modulus], true) {
+            Err(Error::OutOfRange { quantity, .. }) => {
+                assert_eq!(quantity, "the size of the mesh over the stiffness of material 0");
+            }
+            other => unreachable!("{length:e} mm, {modulus:e} MPa: {:?}", other.err()),
+        }
+    }
+    // As long as all is a number, it is right.
+    let base = scaled(PLANE_STRESS, 1.0, 1.0, 1.0, true);
+    let largest = base.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+    for (length, modulus) in [(1e-150, 1e100), (1e-100, 1e200), (1e100, 1e100), (1.0, 1e290)] {
+        for (u, wanted) in scaled(PLANE_STRESS, length, 1.0, modulus, true).iter().zip(&base) {
+            assert!((u / length * modulus - wanted).abs() < 1e-11 * largest, "{length:e} mm, {modulus:e} MPa");
         }
     }
 }
