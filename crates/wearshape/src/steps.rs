@@ -4,6 +4,7 @@ mod all_around;
 pub(crate) mod answer;
 pub(crate) mod approach;
 pub(crate) mod contact;
+mod contact_hot;
 pub(crate) mod contact_levels;
 pub(crate) mod contact_result;
 pub(crate) mod diagnosis;

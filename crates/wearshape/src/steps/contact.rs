@@ -18,11 +18,12 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
+use crate::steps::contact_hot::{self, HotFound};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::{lost, result};
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, followed, from_slower, misplaced, nearer, node_tolerance, position};
-use crate::steps::heat::branched;
+use crate::steps::free_ends::{Positioned, misplaced, nearer, node_tolerance, position};
+use crate::steps::heat::branched::refuse;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
 use crate::steps::many_ends::{ManyEnds, are_looked_for};
@@ -37,23 +38,33 @@ use crate::words::PointStatus;
 const SIGNS_HOLD: f64 = 1e-9;
 /// Relative violation of signs above which that solution is no start for the contact's.
 const NEAR: f64 = 1e-3;
-/// Distance of ends on two levels, of half the surface, up to which they are those of one contact.
-const SAME_CONTACT: f64 = 0.1;
+/// Degree from which on a hot contact that is lost is not looked for on a finer mesh.
+const LOST: usize = 8;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
 
 /// Solves the contact.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let mut search = Search::default();
-    let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-    let (mut outcome, mut effort, last) = levels(&ladder, watch, &mut |level, expected| {
-        search.expected = expected;
-        solve_level(stage, level, &mut search)
-    })?;
+    let mut ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
+    let mut effort = Effort::default();
+    let (search, mut outcome, last) = loop {
+        let mut search = Search::default();
+        let (outcome, work, last) = levels(&ladder, watch, &mut |level, expected| {
+            search.expected = expected;
+            solve_level(stage, level, &mut search)
+        })?;
+        // What is lost on a coarse mesh may be there on a finer one.
+        let coarse = search.is_lost && !outcome.stopped && ladder.levels.first().is_some_and(|level| level.degree < LOST);
+        effort += work;
+        match ladder.finer().filter(|_| coarse) {
+            Some(finer) => ladder = finer,
+            None => break (search, outcome, last),
+        }
+    };
     let diagnosis = last.and_then(|last| last.diagnosis);
     diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
     if let Some(Diagnosis { level, hot: Some(_), .. }) = &diagnosis {
-        branched::refuse(stage, (*level, &search.ends), &mut outcome, &mut effort)?;
+        refuse(stage, (*level, &search.ends), &mut outcome, &mut effort)?;
     }
     if let Some((Diagnosis { level, .. }, profile)) = diagnosis.zip(outcome.told.as_ref().map(|told| &told.profile)) {
         let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
@@ -77,6 +88,8 @@ pub(crate) struct Search {
     pub(crate) expected: Option<f64>,
     /// Number of levels whose nodes did not settle on the ends.
     lost: usize,
+    /// Whether the hot contact of the last level was lost on its way from the cold bodies.
+    is_lost: bool,
     /// Factors on the sliding speed of the last level, with heat alone.
     speeds: Option<SpeedFactors>,
     /// Bodies of the last levels, the latest first: one of them is reported, but for a level that comes out worse. Those of all levels are large.
@@ -113,8 +126,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         }
         None => None,
     };
-    let is_lost = hot.as_ref().is_some_and(|hot| hot.lost().is_some());
-    let mut contact = if is_lost { lost(&found) } else { result(stage, &pair, &operator, &found) };
+    search.is_lost = hot.as_ref().is_some_and(|hot| hot.lost().is_some());
+    let mut contact = if search.is_lost { lost(&found) } else { result(stage, &pair, &operator, &found) };
     if !ends.places.is_empty() {
         contact.ends = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
@@ -298,9 +311,10 @@ fn searched<'a>(
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
 fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found<'a>, Fault> {
     if stage.problem.heat.is_some()
-        && let Some(found) = find_hot(stage, level, search, effort)?
+        && let Some(HotFound { hot, level, unsettled }) =
+            contact_hot::find(stage, level, (&mut search.ends, &mut search.speeds), effort)?
     {
-        return Ok(found);
+        return Ok(Found { reduced: hot.reduced(), found: hot.found(), level, unsettled, hot: Some(hot) });
     }
     let within = node_tolerance(stage.accuracy(), search.expected);
     let Search { ends, lost, .. } = search;
@@ -339,62 +353,6 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         None => signed(stage, &reduced, None, effort)?,
     };
     Ok(Found { reduced, found, level, unsettled, hot: None })
-}
-
-/// The same with frictional heat; on the standing mesh where nodes do not settle on the ends of contact, or lead to others.
-fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
-    let mut standing = None;
-    let before = search.ends.clone();
-    if search.ends.places.is_empty() {
-        standing = HotContact::new(stage, level, effort)?;
-        if let Some(hot) = &standing {
-            let length = hot.reduced().pair()?.trace().length();
-            search.ends = match hot.lasted() {
-                Some((speed, found)) => followed(stage, level, (*speed, FreeEnds::of(found, length)), effort)?,
-                None => FreeEnds::of(&hot.found(), length),
-            };
-        }
-    }
-    let is_lost = standing.as_ref().is_some_and(|hot| hot.lost().is_some());
-    let mut found = on_ends(stage, level, &mut search.ends, effort)?;
-    let unsettled = found.is_none() && !search.ends.places.is_empty();
-    if found.is_none() && (is_lost || unsettled) {
-        standing = standing.map_or_else(|| HotContact::new(stage, level, effort), |hot| Ok(Some(hot)))?;
-        if let Some(hot) = &standing {
-            search.ends = from_slower(stage, level, hot, effort)?;
-        }
-        found = on_ends(stage, level, &mut search.ends, effort)?;
-    }
-    // Other contacts have other factors on the speed.
-    if !before.places.is_empty() && !search.ends.is_alike(&before, SAME_CONTACT) {
-        search.speeds = None;
-    }
-    if found.is_some() {
-        return Ok(found);
-    }
-    search.ends = FreeEnds::default();
-    let level = if unsettled { level.evenly() } else { level };
-    let hot = match standing.filter(|_| !unsettled) {
-        Some(hot) => Some(hot),
-        None => HotContact::new(stage, level, effort)?,
-    };
-    Ok(hot.map(|hot| Found { reduced: hot.reduced(), found: hot.found(), level, unsettled, hot: Some(hot) }))
-}
-
-/// The hot contact with nodes on its ends, from trial ends; none where they do not settle, or where another one is found on them.
-fn on_ends<'a>(stage: Stage<'a>, level: Level, ends: &mut FreeEnds, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
-    // Ends of a hot contact move its heat, and so each other: nodes that are off lead to another branch.
-    let within = node_tolerance(stage.accuracy(), None);
-    let positioned = position(stage, level, (ends, within), effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
-    let Some((at, Positioned { held, hot: Some(hot), .. })) = positioned else { return Ok(None) };
-    let hot = if held.complementarity < SIGNS_HOLD { hot } else { hot.released(effort)? };
-    let mut found = hot.found();
-    if !at.bound_as_many(&found, hot.reduced().pair()?.trace().length()) {
-        return Ok(None);
-    }
-    *ends = at;
-    found.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-    Ok(Some(Found { reduced: hot.reduced(), found, level, unsettled: false, hot: Some(hot) }))
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.

@@ -132,26 +132,56 @@ pub(crate) fn followed(
 
 /// Parts of the sliding speed, the largest first, at which the contact on a standing mesh is looked at for ends that can be followed.
 const SLOWER: [f64; 4] = [0.875, 0.75, 0.5, 0.25];
+/// Times that the speed is halved between a contact that fills the surface and one that is lost.
+const HALVINGS: usize = 6;
 
 /// Ends of a hot contact whose points on the standing mesh lead nodes nowhere, or to other ends: what conducts may hold them at the border of a cell. They are
 /// followed from those at a smaller sliding speed; none where no such are found.
 pub(crate) fn from_slower(stage: Stage<'_>, level: Level, hot: &HotContact<'_>, work: &mut Effort) -> Result<FreeEnds, Fault> {
-    let length = hot.reduced().pair()?.trace().length();
+    let [mut full, mut partial] = [0.0, 1.0];
     for speed in SLOWER {
-        let Some(found) = hot.at_speed(speed, work)? else { continue };
-        let trial = FreeEnds::of(&found, length);
-        if trial.places.is_empty() {
-            continue;
+        match slower(stage, (level, speed), hot, work)? {
+            Slower::Fills => {
+                full = speed;
+                break;
+            }
+            Slower::Followed(ends) => return Ok(ends),
+            Slower::Lost => partial = speed,
         }
-        let within = node_tolerance(stage.accuracy(), None);
-        let positioned = position_at(stage, level, (&trial, within, speed), work)?;
-        let Some((ends, _)) = positioned.filter(|(_, found)| found.held.complementarity < NEAR) else { continue };
-        let ends = followed(stage, level, (speed, ends), work)?;
-        if !ends.places.is_empty() {
-            return Ok(ends);
+    }
+    for _ in 0..HALVINGS {
+        let speed = 0.5 * (full + partial);
+        match slower(stage, (level, speed), hot, work)? {
+            Slower::Fills => full = speed,
+            Slower::Followed(ends) => return Ok(ends),
+            Slower::Lost => partial = speed,
         }
     }
     Ok(FreeEnds::default())
+}
+
+/// What a contact at a smaller speed leads to.
+enum Slower {
+    /// It fills the surface.
+    Fills,
+    /// The ends at the whole speed.
+    Followed(FreeEnds),
+    /// There is none, or it cannot be followed.
+    Lost,
+}
+
+/// The contact on a standing mesh at a part of the sliding speed, followed to the whole of it.
+fn slower(stage: Stage<'_>, (level, speed): (Level, f64), hot: &HotContact<'_>, work: &mut Effort) -> Result<Slower, Fault> {
+    let Some(found) = hot.at_speed(speed, work)? else { return Ok(Slower::Lost) };
+    let trial = FreeEnds::of(&found, hot.reduced().pair()?.trace().length());
+    if trial.places.is_empty() {
+        return Ok(if found.closed.iter().all(|closed| *closed) { Slower::Fills } else { Slower::Lost });
+    }
+    let within = node_tolerance(stage.accuracy(), None);
+    let positioned = position_at(stage, level, (&trial, within, speed), work)?;
+    let Some((ends, _)) = positioned.filter(|(_, found)| found.held.complementarity < NEAR) else { return Ok(Slower::Lost) };
+    let ends = followed(stage, level, (speed, ends), work)?;
+    Ok(if ends.places.is_empty() { Slower::Lost } else { Slower::Followed(ends) })
 }
 
 /// Bodies, and what of them follows the pressure where there is heat.
