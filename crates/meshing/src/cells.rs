@@ -15,6 +15,9 @@ use crate::rows;
 /// Share of an edge within which its end is moved onto an end of contact instead of cutting the edge there.
 const NEAR: f64 = 0.25;
 
+/// How far apart, over the contact, points of both bodies may lie that are one: curves in mesh files are polynomials, circles of the third degree off by 6e-10.
+const READ: f64 = 1e-8;
+
 /// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
 #[derive(Clone, Debug)]
 pub(crate) struct Cells {
@@ -115,10 +118,12 @@ impl Cells {
         }
         match self.mesh.with_vertex_moved(vertex, shift) {
             Ok(mesh) => self.mesh = mesh,
-            Err(_) if off.abs() <= 1e-10 * (to - from) => {}
+            Err(_) if off.abs() <= READ * (to - from) => {}
             Err(error) => {
-                let message =
-                    format!("two points of the contact edges are only {:.1e} of the contact apart: {error}", off / (to - from));
+                let message = format!(
+                    "two points of the contact edges are only {:.1e} of the contact apart: {error}",
+                    off.abs() / (to - from)
+                );
                 return Err(Fault::at("contact.edges", "not-available", message, "give both bodies the same points there"));
             }
         }

@@ -14,7 +14,7 @@ const WIDE: f64 = 0.01;
 
 /// Remarks on the heat of a run; none of a scene without it.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    [several(solution), growing(solution), from_cold(solution), too_hot(solution), far(problem, solution)]
+    [several(solution), growing(solution), from_cold(solution), too_hot(solution), too_cold(solution), far(problem, solution)]
         .into_iter()
         .flatten()
         .collect()
@@ -71,6 +71,22 @@ fn too_hot(solution: &Solution) -> Option<Remark> {
     let hot = &solution.heat.as_ref()?.too_hot;
     let message = format!("Too hot: {}.", hot.iter().fold(String::new(), told));
     (!hot.is_empty()).then_some(Remark { code: "too-hot", message })
+}
+
+/// Absolute zero (degC).
+const ABSOLUTE_ZERO: f64 = -273.15;
+
+/// A surface that is colder than anything can be.
+fn too_cold(solution: &Solution) -> Option<Remark> {
+    solution.heat.as_ref()?;
+    let lowest = |values: &Vec<f64>| values.iter().copied().fold(f64::INFINITY, f64::min);
+    let [first, second] = solution.profile.as_ref()?.temperature.each_ref().map(lowest);
+    let (body, temperature) = if first <= second { (1, first) } else { (2, second) };
+    let message = format!(
+        "The surface of body {body} comes to {} degC, which is below absolute zero: more heat is drawn off than comes in.",
+        rounded(temperature)
+    );
+    (temperature < ABSOLUTE_ZERO).then_some(Remark { code: "below-absolute-zero", message })
 }
 
 /// A thermal displacement beyond small ones.

@@ -15,6 +15,9 @@ const NEAR: f64 = 1e-3;
 /// Distance of ends on two levels, of half the surface, up to which they are those of one contact.
 const SAME_CONTACT: f64 = 0.1;
 
+/// Degree up to which every level is asked whether its contact lies beyond a branch.
+const EARLY: usize = 6;
+
 /// A hot contact.
 pub(crate) struct HotFound<'a> {
     pub hot: HotContact<'a>,
@@ -47,8 +50,9 @@ pub(crate) fn find<'a>(
     let is_lost = standing.as_ref().is_some_and(|hot| hot.lost().is_some());
     let mut found = on_ends(stage, level, ends, effort)?;
     let unsettled = found.is_none() && !ends.places.is_empty();
-    // One that the standing mesh leads to may lie beyond a branch.
-    let beyond = found.is_some() && before.places.is_empty() && branched(stage, level, ends, effort)?;
+    // One that the standing mesh leads to may lie beyond a branch, which the first level need not tell.
+    let early = before.places.is_empty() || level.degree <= EARLY;
+    let beyond = found.is_some() && early && branched(stage, level, ends, effort)?;
     if beyond || unsettled || found.is_none() && is_lost {
         standing = standing.map_or_else(|| HotContact::new(stage, level, effort), |hot| Ok(Some(hot)))?;
         let mut slower = match &standing {

@@ -198,3 +198,20 @@ fn a_hot_run_that_ends_on_the_way_is_told_by_the_larger_of_two_differences() {
     let estimates: Vec<Option<f64>> = solution.ladder.iter().map(|rung| rung.estimate).collect();
     assert!(matches!(estimates[..], [None, None, Some(last)] if last >= 0.99 * told), "{estimates:?} {told:e}");
 }
+
+/// The lining is hottest at the start, where it touches at its ends alone.
+#[test]
+fn a_material_that_is_too_hot_on_the_way_is_told_of() {
+    let lining = "body1.geometry.blocks.materials.lining.temperature_limit";
+    let codes = |limit: f64| -> Vec<&'static str> {
+        let settings = ["tasks=[wear]", "mesh.degree=4", "mesh.layers=4", "wear.until='1 s'", &format!("{lining}={limit}")];
+        let solution = solved(&scene("drum-brake-hot", &settings));
+        let (first, last) = {
+            let highest = &solution.history.iter().find(|(name, _)| name == "T1_max_degC").unwrap().1;
+            (highest[0], solution.heat.as_ref().unwrap().highest1.unwrap())
+        };
+        assert!(first > 150.0 && last < 150.0, "{first} {last}");
+        solution.remarks.iter().map(|remark| remark.code).collect()
+    };
+    assert!(codes(150.0).contains(&"too-hot") && !codes(200.0).contains(&"too-hot"));
+}

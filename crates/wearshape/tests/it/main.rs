@@ -21,6 +21,7 @@ mod frictionless;
 mod gravity;
 mod guided;
 mod heat;
+mod heat_contact;
 mod heat_wear;
 mod hot_energy;
 mod hot_lasting;

@@ -89,6 +89,16 @@ fn powers(
     })
 }
 
+/// Materials that are hotter than they bear under heat at the contact points; none are looked at where none has a limit.
+pub(crate) fn too_hot_under(warmed: &Warmed<'_>, heat: &PointHeat) -> Result<Vec<TooHot>, Fault> {
+    let limited = |body: &meshing::Body| body.materials.iter().any(|material| material.temperature_limit.is_some());
+    if !warmed.stage.couple.bodies.iter().any(limited) {
+        return Ok(Vec::new());
+    }
+    let states = warmed.states(&warmed.pair()?, &heat.into);
+    too_hot(warmed, &warmed.fields(&states)?, heat.into[1].iter().sum())
+}
+
 /// Materials that are hotter than they bear.
 fn too_hot(warmed: &Warmed<'_>, fields: &[Option<Field>; 2], into_drum: f64) -> Result<Vec<TooHot>, Fault> {
     let mut found = Vec::new();

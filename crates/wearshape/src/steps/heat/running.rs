@@ -10,7 +10,7 @@ use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::heat::Split;
-use crate::heat_result::HeatResult;
+use crate::heat_result::{HeatResult, TooHot};
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::steps::answer::Told;
@@ -18,7 +18,7 @@ use crate::steps::heat::boundary::highest_of_each;
 use crate::steps::heat::following::{Following, Follows, Speeds};
 use crate::steps::heat::hot::Hot;
 use crate::steps::heat::known::PointHeat;
-use crate::steps::heat::report::{Thermal, tell};
+use crate::steps::heat::report::{Thermal, tell, too_hot_under};
 use crate::steps::heat::warmed::Second;
 
 /// Bodies of a level that wear while their frictional heat bends them.
@@ -127,6 +127,22 @@ impl<'a> Running<'a> {
             Second::Fresh(_) => None,
         };
         Ok([Some(highest_of_each(warmed, 0, heats)?), second])
+    }
+
+    /// Materials that are hotter than they bear under the heat of one of many states or another, each as hot as it gets.
+    pub(crate) fn too_hot(&self, heats: &[PointHeat]) -> Result<Vec<TooHot>, Fault> {
+        let mut found: Vec<TooHot> = Vec::new();
+        for highest in self.highest(heats)?.into_iter().flatten() {
+            let hottest = (0..heats.len()).max_by(|i, j| highest[*i].total_cmp(&highest[*j]));
+            let Some(heat) = hottest.and_then(|state| heats.get(state)) else { continue };
+            for hot in too_hot_under(&self.following.warmed, heat)? {
+                match found.iter_mut().find(|known| known.body == hot.body && known.limit == hot.limit) {
+                    Some(known) => known.temperature = known.temperature.max(hot.temperature),
+                    None => found.push(hot),
+                }
+            }
+        }
+        Ok(found)
     }
 
     /// Fills in the columns of heat of a solved contact and gives its numbers.

@@ -94,12 +94,13 @@ impl Hot<'_> {
         Ok(ToldHeat { result, heat, singular: speeds.factors.singular })
     }
 
-    /// Columns of history.csv: the highest temperature of each body in every state.
-    pub(super) fn columns(&self, states: &[WearState]) -> Result<Vec<(String, Vec<f64>)>, Fault> {
+    /// Columns of history.csv: the highest temperature of each body under the heat of every state. Materials that are too hot in one of them are told.
+    pub(super) fn on_the_way(&self, states: &[WearState], told: &mut HeatResult) -> Result<Vec<(String, Vec<f64>)>, Fault> {
         let heats = states
             .iter()
             .map(|state| self.running.heat(self.at(self.acting(state), &state.conducting), &state.pressure))
             .collect::<Result<Vec<PointHeat>, Fault>>()?;
+        told.too_hot = self.running.too_hot(&heats)?;
         let names = ["T1_max_degC", "T2_max_degC"];
         let highest = self.running.highest(&heats)?;
         Ok(names.into_iter().zip(highest).filter_map(|(name, values)| Some((name.to_string(), values?))).collect())

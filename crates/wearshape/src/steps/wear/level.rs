@@ -188,7 +188,7 @@ impl Scenes<'_> {
             factorisations: effort.counters.factorisations,
             contact_solves: effort.counters.contact_solves,
         };
-        let (heat, at_points) = heat.map(|told| (told.result, told.heat)).unzip();
+        let (mut heat, at_points) = heat.map(|told| (told.result, told.heat)).unzip();
         let reported = Some(Reported { level, ends: mesh.ends.to_vec(), heat: at_points, moments });
         let start = stage.start(self.pair);
         let places: Vec<f64> = self.operator.points().iter().map(|p| start + p.arc).collect();
@@ -197,8 +197,8 @@ impl Scenes<'_> {
         let (mut columns, mut groove) = (history.columns(), Vec::new());
         let turning = Turning { stages: self.stages, pieces: self.pieces, problem };
         columns.extend(turning.torques(&history.states).map(|torques| ("torque_Nmm".into(), torques)));
-        if let Some(hot) = &self.hot {
-            columns.extend(hot.columns(&history.states)?);
+        if let Some((hot, heat)) = self.hot.as_ref().zip(heat.as_mut()) {
+            columns.extend(hot.on_the_way(&history.states, heat)?);
         }
         if round {
             let contact = RoundContact { stage, problem, places };
