@@ -65,19 +65,27 @@ impl Assembly<'_> {
         Ok(self.condensed_loads(cells, &local, (matrix.as_ref(), ni)))
     }
 
-    /// The loads inside all cells of a class of quadrilaterals that have any, whose matrix has its interior condensed.
-    pub(crate) fn loads_of_class(
+    /// The quadrilaterals of each class that have loads inside; nothing where no cell has any.
+    pub(crate) fn loaded<'c>(&self, congruence: &'c Congruence) -> Vec<Vec<(usize, &'c Turn)>> {
+        let mut members = Vec::new();
+        for (cell, (class, turn)) in congruence.class.iter().zip(&congruence.turn).enumerate() {
+            if self.loads.inside(cell) && !self.is_triangle(&congruence.classes[*class]) {
+                members.resize(congruence.classes.len(), Vec::new());
+                members[*class].push((cell, turn));
+            }
+        }
+        members
+    }
+
+    /// The loads inside cells of a class with these modes, whose matrix has its interior condensed.
+    pub(crate) fn loads_of(
         &self,
-        (class, congruence): (usize, &Congruence),
+        cells: Option<&Vec<(usize, &Turn)>>,
         local: &LocalModes,
         condensed: (MatRef<'_, f64>, usize),
     ) -> Vec<OnBoundary> {
-        if self.is_triangle(&congruence.classes[class]) {
-            return Vec::new();
-        }
-        let members = congruence.class.iter().enumerate().filter(|(cell, of)| **of == class && self.loads.inside(*cell));
-        let members: Vec<(usize, &Turn)> = members.map(|(cell, _)| (cell, &congruence.turn[cell])).collect();
-        members.chunks(AT_ONCE).flat_map(|cells| self.condensed_loads(cells, local, condensed)).collect()
+        let parts = cells.into_iter().flat_map(|cells| cells.chunks(AT_ONCE));
+        parts.flat_map(|cells| self.condensed_loads(cells, local, condensed)).collect()
     }
 
     fn is_triangle(&self, class: &Class) -> bool {

@@ -278,6 +278,7 @@ impl Assembly<'_> {
     ) -> Result<(SharedMatrices, CellHeats), Error> {
         let edges = warming.edges(&congruence);
         let known = warming.known(&congruence, &edges);
+        let loaded = self.loaded(&congruence);
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let local = self.class_modes(class);
@@ -285,7 +286,7 @@ impl Assembly<'_> {
             let mut load = std::mem::take(&mut work.load);
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let heat = eliminate(matrix.as_ref(), ni, &mut load).get(ni.., ..).to_owned();
-            let loads = self.loads_of_class((k, &congruence), &local, (matrix.as_ref(), ni));
+            let loads = self.loads_of(loaded.get(k), &local, (matrix.as_ref(), ni));
             let made = (boundary_block(matrix, ni), heat, loads);
             work.load = load;
             Ok(made)

@@ -93,11 +93,12 @@ impl Assembly<'_> {
         congruence: Congruence,
         keep: bool,
     ) -> Result<(SharedMatrices, Option<Interiors>), Error> {
+        let loaded = self.loaded(&congruence);
         let made = map_cells(congruence.classes.len(), |work, k| {
             let (class, local) = (&congruence.classes[k], self.class_modes(&congruence.classes[k]));
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let inside = keep.then(|| from_boundary(matrix.as_ref(), ni));
-            let loads = self.loads_of_class((k, &congruence), &local, (matrix.as_ref(), ni));
+            let loads = self.loads_of(loaded.get(k), &local, (matrix.as_ref(), ni));
             Ok((boundary_block(matrix, ni), inside, loads))
         });
         let (mut matrices, mut inside, mut loads) = (Vec::with_capacity(made.len()), Vec::new(), Vec::new());
