@@ -45,7 +45,12 @@ impl GmshMesh {
         let mut curves: Vec<([usize; 2], Curve)> = cells.curves.into_iter().collect();
         curves.sort_unstable_by_key(|(e, _)| *e);
         let names: Vec<([usize; 2], &str)> = named.iter().map(|(e, n)| (*e, n.as_str())).collect();
-        Ok(GmshMesh { mesh: Mesh::new(cells.vertices, &cells.quads, &curves, &names)?, materials })
+        let node = |vertex: usize| cells.numbers.iter().find(|(_, v)| **v == vertex).map_or(0, |(node, _)| *node);
+        let mesh = Mesh::new(cells.vertices, &cells.quads, &curves, &names).map_err(|error| match error {
+            Error::Overlapping { a, b } => GmshError::Overlapping { nodes: [node(a), node(b)] },
+            other => GmshError::Mesh(other),
+        })?;
+        Ok(GmshMesh { mesh, materials })
     }
 }
 

@@ -54,6 +54,12 @@ pub enum GmshError {
         /// Name of the group.
         name: String,
     },
+    /// More than two cells share an edge, or two lie on the same side of it.
+    #[error("the edge between the nodes {} and {} is shared by more than two cells, or two lie on one side of it", nodes[0], nodes[1])]
+    Overlapping {
+        /// Tags of the nodes.
+        nodes: [u64; 2],
+    },
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] Error),

@@ -61,6 +61,12 @@ fn sentence(error: &GmshError) -> String {
                 cell + 1
             )
         }
+        GmshError::Mesh(Error::CellsOverlap { a, b, x, z }) => {
+            format!("the middle of cell {} at ({x:.6}, {z:.6}) lies inside cell {} (cells counted from 1)", a + 1, b + 1)
+        }
+        GmshError::Mesh(Error::FoldedCell { cell, x, z, .. }) => {
+            format!("cell {} is folded or has no area at ({x:.6}, {z:.6}) (cells counted from 1)", cell + 1)
+        }
         other => other.to_string(),
     }
 }
@@ -76,6 +82,9 @@ fn remedy(error: &GmshError) -> &'static str {
             "merge duplicate nodes (gmsh: Coherence Mesh), and let no node lie inside the side of another cell; a crack with closed faces cannot be told from that and is not known"
         }
         GmshError::Mesh(Error::Pieces { .. }) => "join the pieces along common nodes, or save the one body alone",
+        GmshError::Overlapping { .. } | GmshError::Mesh(Error::CellsOverlap { .. }) => {
+            "let each place lie in one cell: remove cells that are there twice, or the surface that lies on another one"
+        }
         GmshError::Mesh(_) => "mend the mesh: gmsh's Tools, Statistics shows cells of low quality",
         _ => "write the file again with gmsh, as MSH 4.1 or 2.2",
     }
