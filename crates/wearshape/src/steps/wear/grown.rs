@@ -5,17 +5,13 @@ use crate::ladder::Refusal;
 use crate::stage::Stage;
 use crate::steps::hertz_trial::short_contact;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::wear::rough::{self, FINER, FIRST, Rough, TRIALS};
+use crate::steps::wear::rough::{self, FOUND, Rough, TRIALS};
 use crate::steps::wear::round_mesh::{breaks, left};
 
 /// Part of the way from the touch to the end of the surface beyond which the contact has come to it.
 const FULL: f64 = 0.98;
 /// The shortest contact at the start that the mesh knows of, over that at the end: what was worn in a shorter one is worn off by then.
 const SHORTEST: f64 = 1.0 / 16.0;
-
-/// Change of the ends of contact from one rough run to the next, over their distance, from which on rough runs tell no more: a node just outside of the contact
-/// presses for the cell inside it, and each run would move it on outwards, by 6e-4 in a knee. A last run, of a higher degree, is closer.
-const FOUND: f64 = 3e-4;
 
 /// Share of half the surface that the contact is shorter than at the start where its ends are guessed for the first rough run.
 const SHORT: f64 = 0.5;
@@ -29,7 +25,7 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
     let mut nodes = hertz.map_or_else(Vec::new, |end| cut(stage, &guess(end)));
     let mut before: Option<[f64; 2]> = None;
     for _ in 0..TRIALS {
-        let found = match rough::run(stage, pieces, (FIRST, &nodes), &mut effort) {
+        let found = match rough::run(stage, pieces, &nodes, &mut effort) {
             Ok(found) => with_start(found, hertz),
             // A contact that wears itself free has no end, and cells that cannot be cut there serve as they are.
             Err(_) => return Ok((Vec::new(), effort)),
@@ -38,14 +34,9 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
         let [from, to] = found.end;
         let change = before.map_or(f64::INFINITY, |[a, b]| (from - a).abs().max((to - b).abs()) / (to - from));
         before = Some(found.end);
-        if change <= FOUND {
+        if change <= FOUND * stage.accuracy() {
             break;
         }
-    }
-    if !nodes.is_empty()
-        && let Ok(found) = rough::run(stage, pieces, (FINER, &nodes), &mut effort)
-    {
-        nodes = cut(stage, &with_start(found, hertz));
     }
     if stage.meshes(1, stage.cut(&nodes)).is_err() {
         nodes.clear();

@@ -14,9 +14,8 @@ use crate::steps::wear::ran::MOST_STEPS;
 use crate::steps::wear::round_result::from_touch;
 use crate::steps::wear::scar;
 
-/// Degree of these runs, and of the last one of a contact that grows.
+/// Degree of these runs.
 pub(super) const FIRST: usize = 4;
-pub(super) const FINER: usize = 6;
 /// Change of the ends of contact over their distance at which they are found, by the accuracy wanted, and most runs for them. The worn depth has a kink there:
 /// inside a cell, a thousandth beside its node, it keeps levels 1e-4 apart.
 pub(super) const FOUND: f64 = 0.1;
@@ -30,14 +29,9 @@ pub(super) struct Rough {
     pub widest: [f64; 2],
 }
 
-/// Runs the wear roughly on meshes of a degree cut at the given nodes.
-pub(super) fn run(
-    stage: Stage<'_>,
-    pieces: &Pieces,
-    (degree, nodes): (usize, &[f64]),
-    effort: &mut Effort,
-) -> Result<Rough, Refusal> {
-    let (reduced, work) = stage.reduced_at(stage.problem.level(degree), nodes)?;
+/// Runs the wear roughly on meshes cut at the given nodes.
+pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut Effort) -> Result<Rough, Refusal> {
+    let (reduced, work) = stage.reduced_at(stage.problem.level(FIRST), nodes)?;
     *effort += work;
     let pair = reduced.pair()?;
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;

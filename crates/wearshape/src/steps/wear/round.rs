@@ -21,7 +21,7 @@ use crate::steps::hertz_trial::hertz_end;
 use crate::steps::recover;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::rigid_scar::RigidScar;
-use crate::steps::wear::rough::{self, FIRST, FOUND, TRIALS};
+use crate::steps::wear::rough::{self, FOUND, TRIALS};
 use crate::steps::wear::round_mesh::{CANDIDATE, along, breaks};
 use crate::steps::wear::{solve_at, track};
 use crate::surface::Patch;
@@ -248,7 +248,7 @@ impl<'a> RoundWear<'a> {
 
 /// Half the width of the contact at the end of a rough run.
 fn trial(stage: Stage<'_>, ends: &[f64], effort: &mut Effort) -> Result<f64, Refusal> {
-    let [from, to] = rough::run(stage, &Pieces::of(stage.problem), (FIRST, ends), effort)?.end;
+    let [from, to] = rough::run(stage, &Pieces::of(stage.problem), ends, effort)?.end;
     Ok(if stage.couple.is_revolved() { to } else { 0.5 * (to - from) })
 }
 
@@ -261,6 +261,7 @@ mod tests {
     use super::*;
     use crate::steps::wear::problem::{Loads, wear_problem};
     use crate::steps::wear::ran::MOST_STEPS;
+    use crate::steps::wear::rough::FIRST;
 
     /// On the same operators explicit steps below their stability bound come to the same gap as implicit ones.
     #[test]
