@@ -46,9 +46,11 @@ impl GmshMesh {
         curves.sort_unstable_by_key(|(e, _)| *e);
         let names: Vec<([usize; 2], &str)> = named.iter().map(|(e, n)| (*e, n.as_str())).collect();
         let node = |vertex: usize| cells.numbers.iter().find(|(_, v)| **v == vertex).map_or(0, |(node, _)| *node);
-        let mesh = Mesh::new(cells.vertices, &cells.quads, &curves, &names).map_err(|error| match error {
-            Error::Overlapping { a, b } => GmshError::Overlapping { nodes: [node(a), node(b)] },
-            other => GmshError::Mesh(other),
+        let mesh = Mesh::new(cells.vertices, &cells.quads, &curves, &names).map_err(|error| {
+            if let Error::Overlapping { a, b } = error {
+                return GmshError::Overlapping { nodes: [node(a), node(b)] };
+            }
+            GmshError::Mesh(error)
         })?;
         Ok(GmshMesh { mesh, materials })
     }
