@@ -7,16 +7,13 @@ use hpfem::{Direction, Mesh, Support, bisect};
 use scene::{Component, Fault};
 
 use crate::couple::{Couple, Strip};
-use crate::cuts::SAME;
+use crate::cuts::{READ, SAME};
 use crate::extent::Extent;
 use crate::names::{AXIS, CONTACT, LOAD};
 use crate::rows;
 
 /// Share of an edge within which its end is moved onto an end of contact instead of cutting the edge there.
 const NEAR: f64 = 0.25;
-
-/// How far apart, over the contact, points of both bodies may lie that are one: curves in mesh files are polynomials, circles of the third degree off by 6e-10.
-const READ: f64 = 1e-8;
 
 /// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
 #[derive(Clone, Debug)]

@@ -3,6 +3,9 @@
 /// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
 pub(crate) const SAME: f64 = 1e-6;
 
+/// How far apart, over the contact, points of both bodies may lie that are one: curves in mesh files are polynomials, circles of the third degree off by 6e-10.
+pub(crate) const READ: f64 = 1e-8;
+
 /// Cuts every interval between the given points into equal pieces no longer than `step`.
 pub(crate) fn subdivide(points: &[f64], step: f64) -> Vec<f64> {
     let mut cuts = vec![points[0]];

@@ -5,6 +5,7 @@ use scene::Fault;
 use crate::cells::{Cells, add_singular};
 use crate::coarse::Coarse;
 use crate::couple::Couple;
+use crate::cuts::READ;
 use crate::extent::{Cut, Extent};
 use crate::rows::{crowded, crowded_edges};
 use crate::template::{coarse, contact_cuts};
@@ -76,7 +77,7 @@ impl<'a> Matching<'a> {
     /// Cuts the given cells; false if a cut came back to the contact surface elsewhere.
     fn cut_at(&mut self, cuts: &[f64]) -> Result<bool, Fault> {
         self.cells.iter_mut().flatten().try_for_each(|cells| cells.cut(cuts))?;
-        let near = 1e-10 * (cuts[cuts.len() - 1] - cuts[0]);
+        let near = READ * (cuts[cuts.len() - 1] - cuts[0]);
         let known = |place: &f64| cuts.iter().any(|c| (c - place).abs() <= near);
         Ok(self.given().all(|cells| cells.breaks().iter().all(known)))
     }

@@ -166,6 +166,15 @@ fn files_cut_anywhere_and_files_with_any_byte_changed_never_panic() {
     }
 }
 
+/// A row of two squares, and a cell that lies on the second one, between nodes whose tags are no numbers of vertices.
+#[test]
+fn an_edge_of_too_many_cells_is_named_by_the_nodes_of_the_file() {
+    let file = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n11 0 0 0\n12 1 0 0\n13 2 0 0\n24 0 1 0\n25 1 1 0\n26 2 1 0\n$EndNodes\n\
+                $Elements\n3\n7 3 2 1 1 11 12 25 24\n8 3 2 1 1 12 13 26 25\n9 3 2 1 1 12 13 26 25\n$EndElements\n";
+    let error = GmshMesh::read(file.as_bytes()).unwrap_err();
+    assert!(matches!(error, GmshError::Overlapping { nodes: [a, b] } if a >= 11 && b >= 11), "{error}");
+}
+
 /// A square whose entity is in so many physical groups.
 fn square_in_groups(groups: usize) -> String {
     let tags = vec!["1"; groups].join(" ");
