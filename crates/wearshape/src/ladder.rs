@@ -20,8 +20,8 @@ const DEGREES: [usize; 3] = [FIRST, 16, 2];
 /// Degrees after those, and how far above the accuracy asked for the estimated error may be to climb on to them, unless they reach it as errors fall.
 const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
-/// Digits that a level gains, about, before errors tell.
-const DIGITS: f64 = 2.0;
+/// Digits that are there before each level gains one more, about, before errors tell: five after the three levels that tell an error.
+const BEFORE: f64 = 3.0;
 /// The same as a ratio of errors.
 const GAIN: f64 = 0.03;
 /// Successive levels without a smaller difference after which finer ones are of no use: round-off, or something that degrees do not mend.
@@ -112,8 +112,7 @@ impl Ladder {
         let Some(accuracy) = self.accuracy else { return last - number + usize::from(self.beside.is_some()) };
         let more = match errors {
             Some([error, ratio]) => ((accuracy / error).ln() / ratio.ln()).ceil().max(1.0) as usize - 1,
-            // Three levels tell an error; each one gains about two digits.
-            None => ((-accuracy.log10() / DIGITS).floor().max(2.0) as usize).saturating_sub(number),
+            None => ((-accuracy.log10() - BEFORE - 1e-9).ceil().max(2.0) as usize).saturating_sub(number),
         };
         more.min(last - number)
     }

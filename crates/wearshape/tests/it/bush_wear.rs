@@ -10,10 +10,8 @@
 //! ```
 //! with t the length of the bush and s the distance slid, to the first order in c / R.
 
-use std::ops::ControlFlow;
-
 use approx::assert_relative_eq;
-use wearshape::{Bodies, Options, Problem, Sampling, Solution, Status, solve};
+use wearshape::{Problem, Solution, Status};
 
 use crate::common::{goes_on, scene, solved};
 
@@ -176,25 +174,6 @@ fn a_knee_wears_by_other_rules_too() {
         let [from, to] = ends(&solution);
         assert!(to > 1.0 && (from + to).abs() < 1e-6 * to, "{rule:?}: {from} {to}");
     }
-}
-
-/// What came into contact last is a band of some hundredths of a millimetre beside each end, which 201 even places do not see: 3e-6 was told of a knee where
-/// 6e-5 was true there.
-#[test]
-fn the_error_told_is_that_of_the_bands_at_the_ends_too() {
-    let set = ["tasks=[wear]", "sliding.omega=1", "wear.b=1", "wear.k=1e-6", "wear.until=20"];
-    let places: Vec<f64> = (0..=400).map(|i| 7.1 + 5e-4 * f64::from(i)).collect();
-    let run = |mesh: &str| {
-        let problem = scene("knee", &[&set[..], &[mesh]].concat());
-        let options = Options { sample: Some(Sampling::At(&places)), ..Options::default() };
-        solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap()
-    };
-    let [told, fine] = ["accuracy=1e-4", "mesh={degree=12,layers=9}"].map(run);
-    let [a, b] = [&told, &fine].map(|solution| &solution.profile.as_ref().unwrap().gap);
-    let off = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / told.wear.as_ref().unwrap().depth.unwrap();
-    println!("off {off:.1e}, told {:.1e}", estimate(&told));
-    assert_eq!(told.status, Status::Ok, "{:?}", told.reason);
-    assert!(off < 3.0 * estimate(&told), "{off:e}");
 }
 
 /// What is counted is the level that is reported, not the search for where the contact ends.
