@@ -89,12 +89,14 @@ fn powers(
     })
 }
 
-/// Materials that are hotter than they bear under heat at the contact points; none are looked at where none has a limit.
-pub(crate) fn too_hot_under(warmed: &Warmed<'_>, heat: &PointHeat) -> Result<Vec<TooHot>, Fault> {
+/// Whether a material has a temperature that it bears.
+pub(crate) fn has_limits(warmed: &Warmed<'_>) -> bool {
     let limited = |body: &meshing::Body| body.materials.iter().any(|material| material.temperature_limit.is_some());
-    if !warmed.stage.couple.bodies.iter().any(limited) {
-        return Ok(Vec::new());
-    }
+    warmed.stage.couple.bodies.iter().any(limited)
+}
+
+/// Materials that are hotter than they bear under heat at the contact points.
+pub(crate) fn too_hot_under(warmed: &Warmed<'_>, heat: &PointHeat) -> Result<Vec<TooHot>, Fault> {
     let states = warmed.states(&warmed.pair()?, &heat.into);
     too_hot(warmed, &warmed.fields(&states)?, heat.into[1].iter().sum())
 }

@@ -18,7 +18,7 @@ use crate::steps::heat::boundary::highest_of_each;
 use crate::steps::heat::following::{Following, Follows, Speeds};
 use crate::steps::heat::hot::Hot;
 use crate::steps::heat::known::PointHeat;
-use crate::steps::heat::report::{Thermal, tell, too_hot_under};
+use crate::steps::heat::report::{Thermal, has_limits, tell, too_hot_under};
 use crate::steps::heat::warmed::Second;
 
 /// Bodies of a level that wear while their frictional heat bends them.
@@ -132,6 +132,9 @@ impl<'a> Running<'a> {
     /// Materials that are hotter than they bear under the heat of one of many states or another, each as hot as it gets.
     pub(crate) fn too_hot(&self, heats: &[PointHeat]) -> Result<Vec<TooHot>, Fault> {
         let mut found: Vec<TooHot> = Vec::new();
+        if !has_limits(&self.following.warmed) {
+            return Ok(found);
+        }
         for highest in self.highest(heats)?.into_iter().flatten() {
             let hottest = (0..heats.len()).max_by(|i, j| highest[*i].total_cmp(&highest[*j]));
             let Some(heat) = hottest.and_then(|state| heats.get(state)) else { continue };
