@@ -57,7 +57,7 @@ impl FreeEnds {
         of.places.len() == self.places.len() && of.starts_closed == self.starts_closed
     }
 
-    /// Whether others are as many, with contact on the same sides of them, each within a distance of half the surface.
+    /// Whether others are as many, with contact on the same sides of them, and no place differs by more than `within` (1 is half the surface).
     pub fn is_alike(&self, other: &FreeEnds, within: f64) -> bool {
         let near = |(a, b): (&f64, &f64)| (a - b).abs() <= within;
         self.starts_closed == other.starts_closed

@@ -287,17 +287,12 @@ impl Assembly<'_> {
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let heat = eliminate(matrix.as_ref(), ni, &mut load).get(ni.., ..).to_owned();
             let loads = self.loads_of(loaded.get(k), &local, (matrix.as_ref(), ni));
-            let made = (boundary_block(matrix, ni), heat, loads);
+            let made = (boundary_block(matrix, ni), (heat, loads));
             work.load = load;
             Ok(made)
         });
-        let (mut matrices, mut heats, mut loads) = (Vec::with_capacity(made.len()), Vec::new(), Vec::new());
-        for made in made {
-            let (matrix, heat, loads_of_class) = made?;
-            matrices.push(matrix);
-            heats.push(heat);
-            loads.extend(loads_of_class);
-        }
+        let made: Result<Vec<_>, Error> = made.into_iter().collect();
+        let (matrices, (heats, loads)): (Vec<_>, (Vec<_>, Vec<_>)) = made?.into_iter().unzip();
         let heats = warming.kept(&congruence, edges, (heats, &known));
         Ok((SharedMatrices { congruence, matrices, loads: by_cell(self.mesh, loads) }, heats))
     }

@@ -99,16 +99,11 @@ impl Assembly<'_> {
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let inside = keep.then(|| from_boundary(matrix.as_ref(), ni));
             let loads = self.loads_of(loaded.get(k), &local, (matrix.as_ref(), ni));
-            Ok((boundary_block(matrix, ni), inside, loads))
+            Ok((boundary_block(matrix, ni), (inside, loads)))
         });
-        let (mut matrices, mut inside, mut loads) = (Vec::with_capacity(made.len()), Vec::new(), Vec::new());
-        for made in made {
-            let (matrix, inside_of_class, loads_of_class) = made?;
-            matrices.push(matrix);
-            inside.extend(inside_of_class);
-            loads.extend(loads_of_class);
-        }
-        let interiors = keep.then(|| Interiors::new(&congruence, inside));
+        let made: Result<Vec<_>, Error> = made.into_iter().collect();
+        let (matrices, (inside, loads)): (Vec<_>, (Vec<_>, Vec<_>)) = made?.into_iter().unzip();
+        let interiors = keep.then(|| Interiors::new(&congruence, inside.into_iter().flatten().collect()));
         Ok((SharedMatrices { congruence, matrices, loads: by_cell(self.mesh, loads) }, interiors))
     }
 

@@ -12,13 +12,13 @@ pub(crate) struct OnBoundary {
     pub(crate) work: Mat<f64>,
 }
 
-/// Loads inside cells by the number of the cell; nothing of none.
-pub(crate) fn by_cell(mesh: &Mesh, loads: Vec<OnBoundary>) -> Vec<Option<OnBoundary>> {
-    if loads.is_empty() {
+/// Loads inside the cells of each class by the number of the cell; nothing of none.
+pub(crate) fn by_cell(mesh: &Mesh, loads: Vec<Vec<OnBoundary>>) -> Vec<Option<OnBoundary>> {
+    if loads.iter().all(Vec::is_empty) {
         return Vec::new();
     }
     let mut sorted: Vec<Option<OnBoundary>> = mesh.cells.iter().map(|_| None).collect();
-    for load in loads {
+    for load in loads.into_iter().flatten() {
         let cell = load.cell;
         sorted[cell] = Some(load);
     }

@@ -49,12 +49,17 @@ impl Assembly<'_> {
         let mut load = self.cell_loads(cell, &modes);
         let mut interior_work = None;
         if self.loads.inside(cell) {
-            let (boundary, work) = match shared.loads.get(cell).and_then(Option::as_ref) {
-                Some(OnBoundary { boundary, work, .. }) => (boundary.clone(), work.clone()),
-                None => self.inner_load(cell, work).map(|inner| (inner.boundary, inner.work))?,
-            };
-            load.extend(boundary);
-            interior_work = Some(work);
+            interior_work = Some(match shared.loads.get(cell).and_then(Option::as_ref) {
+                Some(OnBoundary { boundary, work, .. }) => {
+                    load.extend_from_slice(boundary);
+                    work.clone()
+                }
+                None => {
+                    let inner = self.inner_load(cell, work)?;
+                    load.extend(inner.boundary);
+                    inner.work
+                }
+            });
         }
         let mut s = Vec::new();
         self.boundary_matrix(cell, &(0..modes.len()).collect::<Vec<_>>(), shared, &mut s);

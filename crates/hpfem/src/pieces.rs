@@ -7,7 +7,6 @@ use crate::error::Error;
 use crate::mesh::{CELL_EDGES, Mesh, Quad, blend};
 
 /// An edge that is curved or has names.
-#[derive(Clone)]
 struct Special {
     /// Its vertices in the direction of the curve.
     walk: [usize; 2],

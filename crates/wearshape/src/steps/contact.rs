@@ -22,7 +22,7 @@ use crate::steps::contact_hot::{self, HotFound};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::{lost, result};
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, misplaced, nearer, node_tolerance, position};
+use crate::steps::free_ends::{NO_START, Positioned, SIGNS_HOLD, misplaced, nearer, node_tolerance, position};
 use crate::steps::heat::branched::refuse;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
@@ -34,10 +34,6 @@ use crate::steps::{all_around, sharp_edges, torsion};
 use crate::watch::Watch;
 use crate::words::PointStatus;
 
-/// Relative violation of signs below which a solution with its points held in contact is the contact's.
-const SIGNS_HOLD: f64 = 1e-9;
-/// Relative violation of signs above which that solution is no start for the contact's.
-const NEAR: f64 = 1e-3;
 /// Degree from which on a hot contact that is lost is not looked for on a finer mesh.
 const LOST: usize = 8;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
@@ -270,7 +266,7 @@ fn signed(
     };
     let pair = reduced.pair()?;
     (stage.options.begun)(Step::Contact);
-    let near = held.filter(|held| held.complementarity < NEAR);
+    let near = held.filter(|held| held.complementarity < NO_START);
     let operator = effort.timed(Step::Interface, stage.clock(), |_| match near {
         Some(_) => reduced.factorised(&pair, stage.friction() > 0.0, None),
         None => reduced.operator(&pair, stage.friction() > 0.0),
@@ -296,7 +292,7 @@ fn searched<'a>(
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
     let first = position(stage, level, (ends, within), effort)?;
     let trial = match &first {
-        Some((_, positioned)) if positioned.held.complementarity < NEAR => return Ok(first),
+        Some((_, positioned)) if positioned.held.complementarity < NO_START => return Ok(first),
         Some((_, Positioned { reduced, .. })) => {
             let found = signed(stage, reduced, None, effort)?;
             FreeEnds::of(&found, reduced.pair()?.trace().length())
@@ -335,7 +331,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
     let positioned = if looked_for { searched(stage, level, (ends, within), effort)? } else { None };
     if let Some((at, Positioned { reduced, held, .. })) = positioned {
         *effort += reduced.sizes();
-        let tension = held.complementarity >= NEAR;
+        let tension = held.complementarity >= NO_START;
         let found = signed(stage, &reduced, Some(held), effort)?;
         // Where other points are in contact than those between the nodes, these are not on its ends.
         if !tension || at.bound_as_many(&found, reduced.pair()?.trace().length()) {

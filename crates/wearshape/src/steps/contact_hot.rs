@@ -6,12 +6,9 @@ use scene::Fault;
 use crate::effort::Effort;
 use crate::level::Level;
 use crate::stage::Stage;
-use crate::steps::free_ends::{Positioned, branched, followed, from_slower, node_tolerance, position};
+use crate::steps::free_ends::{NO_START, Positioned, SIGNS_HOLD, branched, followed, from_slower, node_tolerance, position};
 use crate::steps::heat::contact::HotContact;
 
-/// Relative violation of signs below which a solution with its points held in contact is the contact's, and above which it is no start for that.
-const SIGNS_HOLD: f64 = 1e-9;
-const NEAR: f64 = 1e-3;
 /// Distance of ends on two levels, of half the surface, up to which they are those of one contact.
 const SAME_CONTACT: f64 = 0.1;
 
@@ -91,7 +88,7 @@ fn on_ends<'a>(
 ) -> Result<Option<HotContact<'a>>, Fault> {
     // Ends of a hot contact move its heat, and so each other: nodes that are off lead to another branch.
     let within = node_tolerance(stage.accuracy(), None);
-    let positioned = position(stage, level, (ends, within), effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
+    let positioned = position(stage, level, (ends, within), effort)?.filter(|(_, found)| found.held.complementarity < NO_START);
     let Some((at, Positioned { held, hot: Some(hot), .. })) = positioned else { return Ok(None) };
     let mut hot = if held.complementarity < SIGNS_HOLD { hot } else { hot.released(effort)? };
     if !at.bound_as_many(&hot.hot.found, hot.reduced().pair()?.trace().length()) {

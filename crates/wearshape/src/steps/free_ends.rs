@@ -31,6 +31,11 @@ pub(crate) fn node_tolerance(accuracy: f64, expected: Option<f64>) -> f64 {
     goes_on.map_or(TOLERANCE * accuracy, |error| SHARE * error)
 }
 
+/// Relative violation of signs below which a solution with its points held in contact is the contact's.
+pub(crate) const SIGNS_HOLD: f64 = 1e-9;
+/// Relative violation of signs above which that solution is no start for the contact's.
+pub(crate) const NO_START: f64 = 1e-3;
+
 /// How far nodes are from the ends of contact, by the step that the pressures at them still ask for, over the length of the contact in the measure of
 /// the places; 0 without ends.
 pub(crate) fn misplaced(ends: &FreeEnds, contact: f64) -> f64 {
@@ -122,7 +127,7 @@ pub(crate) fn followed(
     while speed < 1.0 {
         let next = (speed + step).min(1.0);
         match position_at(stage, level, (&ends, node_tolerance(stage.accuracy(), None), next), work)? {
-            Some((found, positioned)) if positioned.held.complementarity < NEAR => (ends, speed) = (found, next),
+            Some((found, positioned)) if positioned.held.complementarity < NO_START => (ends, speed) = (found, next),
             _ if step > SMALLEST => step *= 0.5,
             _ => return Ok(FreeEnds::default()),
         }
@@ -179,7 +184,7 @@ fn slower(stage: Stage<'_>, (level, speed): (Level, f64), hot: &HotContact<'_>, 
     }
     let within = node_tolerance(stage.accuracy(), None);
     let positioned = position_at(stage, level, (&trial, within, speed), work)?;
-    let Some((ends, _)) = positioned.filter(|(_, found)| found.held.complementarity < NEAR) else { return Ok(Slower::Lost) };
+    let Some((ends, _)) = positioned.filter(|(_, found)| found.held.complementarity < NO_START) else { return Ok(Slower::Lost) };
     let ends = followed(stage, level, (speed, ends), work)?;
     Ok(if ends.places.is_empty() { Slower::Lost } else { Slower::Followed(ends) })
 }
