@@ -3,10 +3,42 @@
 use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::{Factor, Scaling};
 
+/// Part of a number that may be round-off.
+const LEAST: f64 = 1e-9;
+
 impl Complementarity<'_> {
-    /// Whether the force at each point closes it further, by its heat, than it opens it as a pressure; not without points.
+    /// Whether the force at each point closes it further, by its heat, than it opens it as a pressure, but for what the coordinates make up for: a body that grows
+    /// by its heat moves away as a whole. Not without points.
     pub(crate) fn closes_itself(&self) -> bool {
-        self.points() > 0 && (0..self.points()).all(|i| self.compliance[(i, i)] < 0.0)
+        let (n, own) = (self.points(), |i: usize| self.compliance[(i, i)]);
+        if n == 0 || !(0..n).all(|i| own(i) < 0.0) {
+            return false;
+        }
+        let motions = self.motions();
+        let closes = |i: usize| {
+            let made_up =
+                motions.iter().map(|motion| motion[i] * (0..n).map(|k| motion[k] * self.compliance[(k, i)]).sum::<f64>());
+            own(i) - made_up.sum::<f64>() < LEAST * own(i)
+        };
+        (0..n).all(closes)
+    }
+
+    /// Openings of the points by the coordinates, made orthonormal; none of coordinates that open no point.
+    fn motions(&self) -> Vec<Vec<f64>> {
+        let mut motions: Vec<Vec<f64>> = Vec::new();
+        for column in self.influence.col_iter() {
+            let size = column.norm_l2();
+            let mut motion: Vec<f64> = column.iter().copied().collect();
+            for known in &motions {
+                let share: f64 = known.iter().zip(&motion).map(|(a, b)| a * b).sum();
+                motion.iter_mut().zip(known).for_each(|(m, k)| *m -= share * k);
+            }
+            let left = motion.iter().map(|m| m * m).sum::<f64>().sqrt();
+            if left > LEAST * size {
+                motions.push(motion.iter().map(|m| m / left).collect());
+            }
+        }
+        motions
     }
 
     /// Solves with `w = 0` on the active points and `lambda = 0` on the others; `None` if that is singular.
@@ -47,5 +79,43 @@ impl Complementarity<'_> {
         let (point, _) = self.on_active(&Scaling::new(self), active, &plain)?;
         let opening = self.openings(&point);
         Some(Answer { point, opening, active: active.to_vec(), factorisations: 1, settled: true, ..Answer::open(self) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::borrow::Cow;
+
+    use faer::Mat;
+
+    use super::Complementarity;
+
+    /// Three points of this compliance, which coordinates open by the columns of `influence`.
+    fn closes_itself(compliance: Mat<f64>, influence: Mat<f64>) -> bool {
+        let coordinates = influence.ncols();
+        let problem = Complementarity {
+            compliance: Cow::Owned(compliance),
+            balance: influence.clone(),
+            influence,
+            stiffness: Mat::zeros(coordinates, coordinates),
+            opening: vec![0.0; 3],
+            load: vec![1.0; coordinates],
+            symmetric: false,
+        };
+        problem.closes_itself()
+    }
+
+    #[test]
+    fn points_close_themselves_only_by_what_no_rigid_motion_makes_up_for() {
+        // Each opens itself by 1 and heat closes all of them by a half, or by 2 with two thirds of it at the point itself.
+        let [weak, strong] = [[0.5, 0.5], [2.0, 2.0 / 3.0]]
+            .map(|[own, others]| Mat::from_fn(3, 3, |i, j| if i == j { 1.0 - own } else { -others }));
+        let grown = Mat::from_fn(3, 3, |i, j| weak[(i, j)] - 7.0);
+        let closing = || Mat::full(3, 1, 1.0);
+        assert!(!closes_itself(weak.clone(), closing()) && !closes_itself(weak, Mat::zeros(3, 0)));
+        assert!(closes_itself(strong.clone(), Mat::zeros(3, 0)) && closes_itself(strong, closing()));
+        // The body grows as a whole: its closing makes up for that, whatever its scale, and a coordinate that opens nothing changes nothing.
+        assert!(closes_itself(grown.clone(), Mat::zeros(3, 0)) && !closes_itself(grown.clone(), closing()));
+        assert!(!closes_itself(grown, Mat::from_fn(3, 2, |_, j| [0.0, 1e6][j])));
     }
 }

@@ -65,9 +65,36 @@ impl FreeEnds {
             && self.places.iter().zip(&other.places).all(near)
     }
 
+    /// Part of the surface that is in contact between these ends and open between others, or the other way round.
+    pub fn apart(&self, others: &FreeEnds) -> f64 {
+        let both = [self.zones(1.0), others.zones(1.0)];
+        let mut arcs: Vec<f64> = both.iter().flatten().flatten().copied().collect();
+        arcs.sort_unstable_by(f64::total_cmp);
+        let closed = |zones: &[[f64; 2]], arc: f64| zones.iter().any(|[from, to]| *from < arc && arc < *to);
+        let differs = |pair: &[f64]| closed(&both[0], 0.5 * (pair[0] + pair[1])) != closed(&both[1], 0.5 * (pair[0] + pair[1]));
+        arcs.windows(2).filter(|pair| differs(pair)).map(|pair| pair[1] - pair[0]).sum()
+    }
+
     /// Trial ends from -1 to 1 on the surface, ascending, of a contact that leaves both ends of the surface open.
     pub fn near(places: Vec<f64>) -> FreeEnds {
         FreeEnds { refined: places.clone(), places, before: None, jacobian: None, starts_closed: false }
+    }
+
+    /// Trial ends that go on from others of as many: further by a factor on what these have moved since; these where that leaves the surface or their order.
+    pub fn ahead(&self, before: &FreeEnds, factor: f64) -> FreeEnds {
+        let moved = self.refined.iter().zip(&before.refined).map(|(now, before)| now + factor * (now - before));
+        let places: Vec<f64> = moved.collect();
+        let fits = places.len() == self.refined.len()
+            && places.windows(2).all(|pair| pair[0] < pair[1])
+            && places.iter().all(|t| t.abs() < 1.0);
+        let places = if fits { places } else { self.refined.clone() };
+        FreeEnds {
+            refined: places.clone(),
+            places,
+            before: None,
+            jacobian: self.jacobian.clone(),
+            starts_closed: self.starts_closed,
+        }
     }
 
     /// The ends by the same measure as [`FreeEnds::places`]: these and the step that their pressures still ask for.
@@ -187,6 +214,25 @@ mod tests {
         assert_eq!(at(&[-0.5, 0.5], true).zones(8.0), [[0.0, 2.0], [6.0, 8.0]]);
         assert_eq!(at(&[0.5], true).zones(8.0), [[0.0, 6.0]]);
         assert_eq!(at(&[0.5], false).zones(8.0), [[6.0, 8.0]]);
+    }
+
+    #[test]
+    fn ends_differ_by_what_is_in_contact_between_one_of_both() {
+        let middle = at(&[-0.5, 0.5], false);
+        assert_eq!(middle.apart(&middle), 0.0);
+        assert_eq!(middle.apart(&at(&[-0.25, 0.75], false)), 0.25);
+        assert_eq!(middle.apart(&at(&[-0.5, 0.5], true)), 1.0);
+        assert_eq!(middle.apart(&at(&[-0.5, -0.25, 0.0, 0.5], false)), 0.125);
+        assert_eq!(at(&[0.5], true).apart(&at(&[-0.5], false)), 0.5);
+    }
+
+    #[test]
+    fn ends_go_on_from_others_by_what_they_have_moved() {
+        let now = at(&[-0.5, 0.5], false);
+        assert_eq!(now.ahead(&at(&[-0.75, 0.5], false), 2.0).places, [0.0, 0.5]);
+        // Not past one another, nor off the surface.
+        assert_eq!(now.ahead(&at(&[-0.75, 0.5], false), 5.0).places, now.places);
+        assert_eq!(now.ahead(&at(&[-0.25, 0.5], false), 4.0).places, now.places);
     }
 
     /// The pressures at two ends whose distances from 0.3 and 0.7 they are, some of each in the other.

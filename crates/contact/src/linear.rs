@@ -20,7 +20,8 @@ impl Scaling {
     pub(crate) fn new(problem: &Complementarity<'_>) -> Scaling {
         let n = problem.points();
         let own = (0..n).map(|i| problem.compliance[(i, i)]);
-        let largest = match problem.closes_itself() {
+        // Heat may close each point further than its force opens it.
+        let largest = match own.clone().all(|a| a < 0.0) {
             true => own.clone().map(f64::abs).fold(0.0, f64::max),
             false => own.clone().fold(0.0, f64::max),
         };

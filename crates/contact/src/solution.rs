@@ -46,8 +46,9 @@ pub struct ContactSolution {
     pub iterations: usize,
     /// Whether the exact active-set method had to take over from the augmented Lagrangian.
     pub took_over: bool,
-    /// Whether the force at each point closes it further, by the heat that follows it, than it opens it as a pressure, `C_ii + H_ii < 0` (mm/N): signs alone
-    /// do not tell then that this is the contact which grows from the cold bodies.
+    /// Whether the force at each point closes it further, by the heat that follows it, than it opens it as a pressure, `C_ii + H_ii < 0` (mm/N) once the free
+    /// rigid motions that come nearest to the openings by that force are taken off: signs alone do not tell then that this is the contact which grows from the
+    /// cold bodies.
     pub closes_itself: bool,
     /// Arc lengths at which each contact zone starts and ends.
     pub zones: Vec<[f64; 2]>,

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use contact::{
-    ContactOperator, ContactSolution, FreeEnds, SpeedFactors, Status as ContactStatus, inner_places, piecewise_linear,
-    without_slivers,
+    ContactOperator, ContactSolution, FreeEnds, Status as ContactStatus, inner_places, piecewise_linear, without_slivers,
 };
 use meshing::{BodyLoad, Cut};
 use scene::Fault;
@@ -15,10 +14,11 @@ use crate::faults::unsolved;
 use crate::heat_result::HeatResult;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
+use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
-use crate::steps::contact_hot::{self, HotFound};
+use crate::steps::contact_hot::{self, HotFound, HotSearch};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::{lost, result};
 use crate::steps::diagnosis::Diagnosis;
@@ -59,8 +59,10 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     };
     let diagnosis = last.and_then(|last| last.diagnosis);
     diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
-    if let Some(Diagnosis { level, hot: Some(_), .. }) = &diagnosis {
+    if let Some(Diagnosis { level, hot: Some((reduced, _)), found, .. }) = &diagnosis {
         refuse(stage, (*level, &search.ends), &mut outcome, &mut effort)?;
+        let is_answer = !matches!(outcome.ended, Some((Status::Refused, _)));
+        outcome.remarks.extend(search.hot.note(found, reduced.pair()?.trace().length()).filter(|_| is_answer));
     }
     if let Some((Diagnosis { level, .. }, profile)) = diagnosis.zip(outcome.told.as_ref().map(|told| &told.profile)) {
         let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
@@ -86,8 +88,8 @@ pub(crate) struct Search {
     lost: usize,
     /// Whether the hot contact of the last level was lost on its way from the cold bodies.
     is_lost: bool,
-    /// Factors on the sliding speed of the last level, with heat alone.
-    speeds: Option<SpeedFactors>,
+    /// What the hot contact of the last level leaves, with heat alone.
+    hot: HotSearch,
     /// Bodies of the last levels, the latest first: one of them is reported, but for a level that comes out worse. Those of all levels are large.
     latest: [Option<Arc<Reduced>>; 2],
 }
@@ -135,7 +137,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let mut told = told(stage, &reduced, &operator, &gap, &found);
     // Of a contact that there is not, nothing is told.
     let warm = hot.as_ref().filter(|_| found.status.is_solved());
-    let heat = warm.map(|hot| hot.tell(&operator, &mut told, &mut search.speeds)).transpose()?;
+    let heat = warm.map(|hot| hot.tell(&operator, &mut told, &mut search.hot.speeds)).transpose()?;
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
     }
@@ -308,7 +310,7 @@ fn searched<'a>(
 fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found<'a>, Fault> {
     if stage.problem.heat.is_some()
         && let Some(HotFound { hot, level, unsettled }) =
-            contact_hot::find(stage, level, (&mut search.ends, &mut search.speeds), effort)?
+            contact_hot::find(stage, level, (&mut search.ends, &mut search.hot), effort)?
     {
         return Ok(Found { reduced: hot.reduced(), found: hot.found(), level, unsettled, hot: Some(hot) });
     }

@@ -51,6 +51,22 @@ pub(crate) struct Positioned<'a> {
     pub hot: Option<HotContact<'a>>,
 }
 
+impl Positioned<'_> {
+    /// The ends of the contact of a scene with heat once its points may open and close, at a part of the sliding speed.
+    pub(crate) fn ends_at(&self, speed: f64) -> Result<FreeEnds, Fault> {
+        let pair = self.reduced.pair()?;
+        let length = pair.trace().length();
+        let Some(HotContact { stage, following, hot, .. }) = &self.hot else { return Ok(FreeEnds::of(&self.held, length)) };
+        if self.held.complementarity < SIGNS_HOLD {
+            return Ok(FreeEnds::of(&self.held, length));
+        }
+        let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
+        let (gap, load) = (start_gaps(*stage, &operator), stage.contact_load(operator.points()));
+        let released = following.settled(&operator, &gap, &load, speed, Some(&hot.found))?;
+        Ok(FreeEnds::of(&released.found, length))
+    }
+}
+
 /// Moves nodes onto the ends to an accuracy, level by level from those of the last one; `None` where that does not settle.
 pub(crate) fn position<'a>(
     stage: Stage<'a>,
@@ -62,7 +78,7 @@ pub(crate) fn position<'a>(
 }
 
 /// The same at a part of the sliding speed, of a scene with heat.
-fn position_at<'a>(
+pub(crate) fn position_at<'a>(
     stage: Stage<'a>,
     level: Level,
     (ends, within, speed): (&FreeEnds, f64, f64),
@@ -107,86 +123,8 @@ fn held<'a>(
     // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
     let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
     let residuals = nodes.iter().map(scaled).collect();
-    let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot });
+    let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot, between: Some(closed.clone()) });
     Ok(Some((residuals, Positioned { reduced: Arc::clone(&reduced), held, hot })))
-}
-
-/// Steps of the sliding speed along which ends are followed, over it: the first, and the smallest.
-const SPEED_STEP: f64 = 1.0 / 16.0;
-const SMALLEST: f64 = 1.0 / 128.0;
-
-/// Ends of a hot contact that is lost on its standing mesh from a part of the sliding speed on: from the contact there they are followed with nodes on them
-/// as the speed grows. None where that does not settle.
-pub(crate) fn followed(
-    stage: Stage<'_>,
-    level: Level,
-    (mut speed, mut ends): (f64, FreeEnds),
-    work: &mut Effort,
-) -> Result<FreeEnds, Fault> {
-    let mut step = SPEED_STEP;
-    while speed < 1.0 {
-        let next = (speed + step).min(1.0);
-        match position_at(stage, level, (&ends, node_tolerance(stage.accuracy(), None), next), work)? {
-            Some((found, positioned)) if positioned.held.complementarity < NO_START => (ends, speed) = (found, next),
-            _ if step > SMALLEST => step *= 0.5,
-            _ => return Ok(FreeEnds::default()),
-        }
-    }
-    Ok(ends)
-}
-
-/// Parts of the sliding speed, the largest first, at which the contact on a standing mesh is looked at for ends that can be followed.
-const SLOWER: [f64; 4] = [0.875, 0.75, 0.5, 0.25];
-/// Times that the speed is halved between a contact that fills the surface and one that is lost.
-const HALVINGS: usize = 6;
-
-/// Ends of a hot contact whose points on the standing mesh lead nodes nowhere, or to other ends: what conducts may hold them at the border of a cell. They are
-/// followed from those at a smaller sliding speed; none where no such are found.
-pub(crate) fn from_slower(stage: Stage<'_>, level: Level, hot: &HotContact<'_>, work: &mut Effort) -> Result<FreeEnds, Fault> {
-    let [mut full, mut partial] = [0.0, 1.0];
-    for speed in SLOWER {
-        match slower(stage, (level, speed), hot, work)? {
-            Slower::Fills => {
-                full = speed;
-                break;
-            }
-            Slower::Followed(ends) => return Ok(ends),
-            Slower::Lost => partial = speed,
-        }
-    }
-    for _ in 0..HALVINGS {
-        let speed = 0.5 * (full + partial);
-        match slower(stage, (level, speed), hot, work)? {
-            Slower::Fills => full = speed,
-            Slower::Followed(ends) => return Ok(ends),
-            Slower::Lost => partial = speed,
-        }
-    }
-    Ok(FreeEnds::default())
-}
-
-/// What a contact at a smaller speed leads to.
-enum Slower {
-    /// It fills the surface.
-    Fills,
-    /// The ends at the whole speed.
-    Followed(FreeEnds),
-    /// There is none, or it cannot be followed.
-    Lost,
-}
-
-/// The contact on a standing mesh at a part of the sliding speed, followed to the whole of it.
-fn slower(stage: Stage<'_>, (level, speed): (Level, f64), hot: &HotContact<'_>, work: &mut Effort) -> Result<Slower, Fault> {
-    let Some(found) = hot.at_speed(speed, work)? else { return Ok(Slower::Lost) };
-    let trial = FreeEnds::of(&found, hot.reduced().pair()?.trace().length());
-    if trial.places.is_empty() {
-        return Ok(if found.closed.iter().all(|closed| *closed) { Slower::Fills } else { Slower::Lost });
-    }
-    let within = node_tolerance(stage.accuracy(), None);
-    let positioned = position_at(stage, level, (&trial, within, speed), work)?;
-    let Some((ends, _)) = positioned.filter(|(_, found)| found.held.complementarity < NO_START) else { return Ok(Slower::Lost) };
-    let ends = followed(stage, level, (speed, ends), work)?;
-    Ok(if ends.places.is_empty() { Slower::Lost } else { Slower::Followed(ends) })
 }
 
 /// Bodies, and what of them follows the pressure where there is heat.

@@ -5,6 +5,7 @@ pub(crate) mod boundary;
 pub(crate) mod branched;
 pub(crate) mod conduction;
 pub(crate) mod contact;
+pub(crate) mod continued;
 pub(crate) mod deviations;
 pub(crate) mod drum;
 pub(crate) mod fields;

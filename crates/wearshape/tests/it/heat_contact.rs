@@ -24,35 +24,59 @@ body1.heat.top = { temperature = 20 }
 body2.heat.bottom = { convection = 2, ambient = 30 }
 "#;
 
-/// At three to four times its speed the annulus touches inside its width, in one place or another: the heat that crosses the contact depends on where it ends.
-/// The standing mesh leads to places further outside, to the border of a cell (72 mm) or beyond a branch (85.23 mm at 8.4 rad/s); what continues the contact of
-/// slower sliding is found at every speed. Degree 12 with 12 layers has 97.685, 95.116, 91.081 and 89.462 mm.
+/// At three times its speed and more the annulus touches inside its width, in one place or another: the heat that crosses the contact depends on where it ends.
+/// The standing mesh leads to places further outside, to the border of a cell (72 mm), beyond a branch (85.23 mm at 8.4 rad/s) or to contact all over; what
+/// continues the contact of slower sliding is found at every speed and degree. Degree 12 with 12 layers has these ends.
 #[test]
 fn a_hot_contact_is_the_one_that_continues_that_of_slower_sliding() {
-    for (speed, outer) in [(6.4, 97.685), (7.0, 95.116), (8.4, 91.081), (9.2, 89.462)] {
-        let settings = ["tasks=[contact]", "mesh.degree=8", "mesh.layers=8", &format!("sliding.omega={speed}")];
+    let known = [(7.0, 8, 71.4196, 95.1158), (9.2, 8, 71.4398, 89.4555), (12.0, 6, 71.5081, 85.6377)];
+    for (speed, degree, inner, outer) in known {
+        let mesh = [format!("mesh.degree={degree}"), format!("mesh.layers={degree}")];
+        let settings = ["tasks=[contact]", &mesh[0], &mesh[1], &format!("sliding.omega={speed}")];
         let solution = solved(&scene("clutch-hot", &settings));
         assert!(solution.status == Status::Ok && solution.remarks.is_empty(), "{speed}: {:?}", solution.remarks);
-        let contact = solution.contact.unwrap();
-        assert!((contact.ends[0] - 71.44).abs() < 0.05 && (contact.ends[1] - outer).abs() < 0.06, "{speed}: {:?}", contact.ends);
+        let ends = solution.contact.unwrap().ends;
+        assert!((ends[0] - inner).abs() < 0.02 && (ends[1] - outer).abs() < 0.1, "{speed}: {ends:?}");
     }
 }
 
+/// The slab touches all over up to 27 mm/s. Further on it jumps to a contact on one side, which nothing slower leads to.
+#[test]
+fn a_hot_contact_that_slower_sliding_does_not_lead_to_is_told_to_be_one_of_several() {
+    let codes = |speed: &str| -> Vec<&'static str> {
+        let solution = solved(&read(SLAB, &["mesh.degree=6", "mesh.layers=6", &format!("sliding.speed={speed}")]));
+        assert_eq!(solution.status, Status::Ok, "{speed}: {:?}", solution.reason);
+        solution.remarks.iter().map(|remark| remark.code).collect()
+    };
+    assert!(codes("29 mm/s").contains(&"several-solutions") && !codes("27 mm/s").contains(&"several-solutions"));
+}
+
 /// Two blocks whose top tilts freely touch when they are hot on one side of their surface, or on the other: pressure, ends and the
-/// speed at which they are no longer unique are those of one contact. Degree 12 has the end at -1.5845 mm and the factor 1.46963.
+/// speed at which they are no longer unique are those of one contact. Degree 12 has the end at -1.58447 mm and the factor 1.469634.
 #[test]
 fn ends_and_critical_speed_of_a_hot_contact_are_those_of_its_pressure() {
-    for degree in [6, 8] {
+    for degree in [8, 10] {
         let mesh = [format!("mesh.degree={degree}"), format!("mesh.layers={degree}")];
         let solution = solved(&read(SLAB, &[&mesh[0], &mesh[1]]));
         assert_eq!(solution.status, Status::Ok, "{degree}: {:?}", solution.reason);
         let (contact, heat) = (solution.contact.unwrap(), solution.heat.unwrap());
-        assert!((contact.ends[0] + 1.5845).abs() < 5e-3 && contact.ends[1] == 10.0, "{degree}: {:?}", contact.ends);
+        assert!((contact.ends[0] + 1.5845).abs() < 5e-3 && (contact.ends[1] - 10.0).abs() < 1e-9, "{degree}: {:?}", contact.ends);
         let profile = solution.profile.unwrap();
         let pressed = |i: &usize| profile.pressure[*i] > 0.0;
         let first = (0..profile.pressure.len()).find(pressed).unwrap();
         assert!((profile.position[first][0] - contact.ends[0]).abs() < 0.1, "{degree}: {:?}", profile.position[first]);
         let Some(SpeedFactor::At(factor)) = heat.critical_speed_factor else { panic!("{degree}: no factor") };
-        assert!((factor / 1.46963 - 1.0).abs() < 2e-3, "{degree}: {factor}");
+        assert!((factor / 1.469634 - 1.0).abs() < 1e-3, "{degree}: {factor}");
     }
+}
+
+/// Heat that moves a body as a whole does not keep nodes from the ends of its contact: they stand on them from the first level on. (They stood on them from degree
+/// 12 on, where the growth of the slab was taken for one of its points.) Degree 14 has these ends.
+#[test]
+fn a_body_that_grows_as_a_whole_has_nodes_on_the_ends_of_its_contact() {
+    let solution = solved(&read(SLAB, &["contact.gap={crown='20 um'}", "sliding.speed=20 mm/s", "accuracy=1e-4"]));
+    assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
+    let (ends, last) = (solution.contact.unwrap().ends, solution.ladder.last().unwrap().degree);
+    assert!((ends[0] + 1.87129).abs() < 4e-4 && (ends[1] - 1.97582).abs() < 4e-4 && last <= 8, "{ends:?} {last}");
+    assert!(!solution.error.unwrap().how.contains("settle"));
 }

@@ -116,7 +116,7 @@ fn beyond_the_critical_speed_the_instability_is_said_by_name() {
         assert_eq!(solution.wear.unwrap().status, WearStatus::Unstable);
         assert!(solution.reason.unwrap().contains("thermoelastic instability"));
     }
-    let solution = worn("drum-brake-hot", &["sliding.omega=30"]);
+    let solution = worn("drum-brake-hot", &["sliding.omega=100"]);
     assert!(solution.status == Status::Refused && solution.reason.unwrap().contains("frictional heat"));
 }
 

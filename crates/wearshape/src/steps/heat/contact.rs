@@ -20,11 +20,17 @@ use crate::steps::heat::report::{Thermal, tell};
 use crate::steps::heat::running::thermal_factors;
 use crate::steps::start_gap::start_gaps;
 
+/// Factor on the sliding speed up to which pressure and heat by turns come to an end, from which on heat is held to change the pressure too little for a second
+/// contact.
+const WEAK: f64 = 5.0;
+
 /// A contact with its heat.
 pub(crate) struct HotContact<'a> {
     pub stage: Stage<'a>,
     pub following: Following<'a>,
     pub hot: Hot,
+    /// The points between nodes on its ends, those included; none without such nodes. Signs may leave out the last ones, on which the critical speed depends.
+    pub between: Option<Vec<bool>>,
 }
 
 impl<'a> HotContact<'a> {
@@ -58,19 +64,7 @@ impl<'a> HotContact<'a> {
             Some(near) => following.solve_from(&operator, &gap, &load, near),
             None => following.grown(&operator, &gap, &load),
         })?;
-        Ok(HotContact { stage, following, hot })
-    }
-
-    /// The contact of the same bodies at a part of the sliding speed; none where there is none.
-    pub(crate) fn at_speed(&self, speed: f64, effort: &mut Effort) -> Result<Option<ContactSolution>, Fault> {
-        let following = &self.following;
-        let pair = following.reduced.pair()?;
-        let operator = following.reduced.operator(&pair, self.stage.friction() > 0.0)?;
-        effort.counters.contact_solves += 1;
-        let (gap, load) = (start_gaps(self.stage, &operator), self.stage.contact_load(operator.points()));
-        let slower =
-            effort.timed(Step::Contact, self.stage.clock(), |_| following.settled(&operator, &gap, &load, speed, None))?;
-        Ok(Some(slower.found).filter(|found| found.status.is_solved()))
+        Ok(HotContact { stage, following, hot, between: None })
     }
 
     /// The bodies.
@@ -83,14 +77,23 @@ impl<'a> HotContact<'a> {
         self.hot.found.clone()
     }
 
+    /// Whether other contacts may carry the load: what conducts decides on the contact, which decides on what conducts. Not where heat does next to nothing to
+    /// the pressure, nor where contact fills the surface below its critical speed.
+    pub(crate) fn may_be_one_of_several(&self, ends_inside: bool) -> Result<bool, Fault> {
+        let found = &self.hot.found;
+        if !self.following.conducts() || !found.status.is_solved() {
+            return Ok(self.following.conducts());
+        }
+        let pair = self.following.reduced.pair()?;
+        let operator = self.following.reduced.operator(&pair, self.stage.friction() > 0.0)?;
+        let factors = self.following.factors(&operator, &self.stage.contact_load(operator.points()), &found.closed)?;
+        let is_strong = factors.staggered.is_some_and(|factor| factor < WEAK);
+        Ok(is_strong && (ends_inside || factors.singular.first().is_some_and(|factor| *factor < 1.0)))
+    }
+
     /// The load of the contact, that of its heat among it.
     pub(crate) fn load(&self) -> ContactLoad {
         self.hot.load.clone()
-    }
-
-    /// The part of the sliding speed up to which the contact of the cold bodies was followed before it was lost, and that contact.
-    pub(crate) fn lasted(&self) -> Option<&(f64, ContactSolution)> {
-        self.hot.lost.as_ref()?.last.as_ref()
     }
 
     /// Why there is no contact, where that of the cold bodies does not last to the sliding speed.
@@ -115,7 +118,8 @@ impl<'a> HotContact<'a> {
         let mut result = tell(&self.following.warmed, &self.hot.heat, told, &thermal)?;
         if found.status.is_solved() {
             let following = &self.following;
-            let at = (&stage.contact_load(operator.points()), &found.closed[..]);
+            let closed = self.between.as_ref().unwrap_or(&found.closed);
+            let at = (&stage.contact_load(operator.points()), &closed[..]);
             let speeds = following.speeds(operator, at, &following.surfaces.rates)?;
             let smooth = match before {
                 None if !speeds.factors.singular.is_empty() => Some(following.smooth_factors(operator, at)?),

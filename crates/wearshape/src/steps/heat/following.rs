@@ -117,6 +117,17 @@ impl<'a> Following<'a> {
         Ok(Speeds { factors, separation })
     }
 
+    /// Factors on the sliding speed for these points in contact.
+    pub(crate) fn factors(
+        &self,
+        operator: &ContactOperator<'_>,
+        base: &ContactLoad,
+        closed: &[bool],
+    ) -> Result<SpeedFactors, Fault> {
+        let load = self.fitting(base, &self.surfaces.rates, &self.shared(closed)?);
+        operator.speed_factors(&load, closed).map_err(unsolved)
+    }
+
     /// The load of bodies that fit where nothing heats them.
     pub(super) fn fitting(&self, base: &ContactLoad, rates: &[f64], shared: &SharedHeat) -> ContactLoad {
         let mut load = self.load(base, shared, rates);
@@ -130,7 +141,7 @@ impl<'a> Following<'a> {
     }
 
     /// Whether what points are in contact decides how the heat is shared.
-    pub(super) fn conducts(&self) -> bool {
+    pub(crate) fn conducts(&self) -> bool {
         matches!(self.warmed.heat.split, Split::Conductance(_))
     }
 

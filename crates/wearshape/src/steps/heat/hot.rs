@@ -39,8 +39,6 @@ pub(crate) struct Hot {
 pub(crate) struct Lost {
     /// Part of the sliding speed.
     pub at: f64,
-    /// The last part with a contact, and that.
-    pub last: Option<(f64, ContactSolution)>,
 }
 
 impl Hot {
@@ -123,8 +121,7 @@ impl Following<'_> {
             let hot = self.settled(operator, gap, base, speed, found.as_ref())?;
             // Where signs do not tell a contact, nor do they lead on to the next one.
             if !hot.found.status.is_solved() || hot.found.closes_itself {
-                let last = found.map(|found| (f64::from(step - 1) / f64::from(STEPS), found));
-                return Ok(Hot { lost: Some(Lost { at: speed, last }), ..at_once });
+                return Ok(Hot { lost: Some(Lost { at: speed }), ..at_once });
             }
             if step == STEPS {
                 return Ok(hot);
@@ -140,13 +137,12 @@ impl Following<'_> {
         if !found.status.is_solved() || !found.closes_itself {
             return Ok(found.status.is_solved());
         }
-        let load = self.fitting(base, &self.surfaces.rates, &self.shared(&found.closed)?);
-        let singular = operator.speed_factors(&load, &found.closed).map_err(unsolved)?.singular;
-        Ok(singular.first().is_none_or(|first| *first > 1.0))
+        let factors = self.factors(operator, base, &found.closed)?;
+        Ok(factors.singular.first().is_none_or(|first| *first > 1.0))
     }
 
     /// The contact at a factor on the sliding speed, from a contact that is near.
-    pub(super) fn settled(
+    pub(crate) fn settled(
         &self,
         operator: &ContactOperator<'_>,
         gap: &[f64],
