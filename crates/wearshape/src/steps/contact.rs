@@ -43,8 +43,9 @@ const SAMPLES: usize = 191;
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
     let mut effort = Effort::default();
+    let mut hot = HotSearch::default();
     let (search, mut outcome, last) = loop {
-        let mut search = Search::default();
+        let mut search = Search { hot, ..Search::default() };
         let (outcome, work, last) = levels(&ladder, watch, &mut |level, expected| {
             search.expected = expected;
             solve_level(stage, level, &mut search)
@@ -53,7 +54,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         let coarse = search.is_lost && !outcome.stopped && ladder.levels.first().is_some_and(|level| level.degree < LOST);
         effort += work;
         match ladder.finer().filter(|_| coarse) {
-            Some(finer) => ladder = finer,
+            Some(finer) => (ladder, hot) = (finer, search.hot.once_more()),
             None => break (search, outcome, last),
         }
     };

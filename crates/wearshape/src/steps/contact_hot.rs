@@ -45,6 +45,11 @@ impl HotSearch {
         Ok(self.continued.insert(continued).ends.clone())
     }
 
+    /// What is left of it for a ladder of other levels.
+    pub(crate) fn once_more(self) -> HotSearch {
+        HotSearch { speeds: None, ..self }
+    }
+
     /// What is to be said of a contact on a surface of a length.
     pub(crate) fn note(&self, found: &ContactSolution, length: f64) -> Option<Remark> {
         let ends = FreeEnds::of(found, length);

@@ -80,3 +80,13 @@ fn a_body_that_grows_as_a_whole_has_nodes_on_the_ends_of_its_contact() {
     assert!((ends[0] + 1.87129).abs() < 4e-4 && (ends[1] - 1.97582).abs() < 4e-4 && last <= 8, "{ends:?} {last}");
     assert!(!solution.error.unwrap().how.contains("settle"));
 }
+
+/// All heat into the lining: its contact opens at the outer end, then at the inner one, which goes inwards fast. Nothing conducts, and the standing mesh loses it.
+#[test]
+fn a_contact_that_is_lost_on_a_mesh_without_nodes_is_followed_from_slower_sliding() {
+    let heat = "heat={share=1,reference=20,counterface='congruent'}";
+    let solution = solved(&scene("clutch-hot", &["tasks=[contact]", "accuracy=1e-2", heat]));
+    assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
+    let ends = solution.contact.unwrap().ends;
+    assert!((ends[0] - 98.31).abs() < 0.05 && (ends[1] - 107.98).abs() < 0.05, "{ends:?}");
+}

@@ -57,7 +57,6 @@ pub(crate) fn continued(stage: Stage<'_>, level: Level, work: &mut Effort) -> Re
     let operator = following.reduced.operator(&pair, stage.friction() > 0.0)?;
     let (gap, load) = (start_gaps(stage, &operator), stage.contact_load(operator.points()));
     let length = pair.trace().length();
-    let mut path = Path { stage, level, work };
     // Those that a mesh without nodes on them tells.
     let told = |speed: f64| {
         // Where what conducts and what is in contact do not settle on each other, it tells nothing.
@@ -65,6 +64,7 @@ pub(crate) fn continued(stage: Stage<'_>, level: Level, work: &mut Effort) -> Re
         let fills = hot.found.status.is_solved() && hot.found.closed.iter().all(|closed| *closed);
         Told { fills, ends: FreeEnds::of(&hot.found, length) }
     };
+    let mut path = Path { stage, level, work, told: &told };
     let Some(from) = opening(&told) else { return Ok(Continued::default()) };
     for speed in (0..OPENING).map(|k| (from + k as f64 * SMALLEST).min(1.0)) {
         if let Some(ends) = path.positioned(&told(speed).ends, speed)? {
@@ -104,10 +104,11 @@ struct Path<'p, 'a> {
     stage: Stage<'a>,
     level: Level,
     work: &'p mut Effort,
+    told: &'p dyn Fn(f64) -> Told,
 }
 
 impl Path<'_, '_> {
-    /// Ends from trial ones, with nodes on them; where another number of ends carries the load, from those once more.
+    /// Ends from trial ones, with nodes on them; where the contact has others once its points are free, from those once more.
     fn positioned(&mut self, trial: &FreeEnds, speed: f64) -> Result<Option<FreeEnds>, Fault> {
         let mut trial = trial.clone();
         for _ in 0..ROUNDS {
@@ -115,7 +116,8 @@ impl Path<'_, '_> {
                 return Ok(None);
             };
             let others = found.ends_at(speed)?;
-            if others.places.len() == ends.places.len() && others.starts_closed == ends.starts_closed {
+            let as_many = others.places.len() == ends.places.len() && others.starts_closed == ends.starts_closed;
+            if as_many && others.apart(&ends) < BELIEVED {
                 return Ok(Some(ends));
             }
             trial = others;
@@ -146,7 +148,11 @@ impl Path<'_, '_> {
                     now = Place { speed, ends };
                 }
                 None if step > SMALLEST => step *= 0.5,
-                None => return Ok(None),
+                // Contact may come to an end of the surface there.
+                None => match self.positioned(&(self.told)(speed).ends, speed)?.filter(|ends| ends.apart(&foreseen) < OPENED) {
+                    Some(ends) => (now, before) = (Place { speed, ends }, None),
+                    None => return Ok(None),
+                },
             }
         }
         Ok(Some(now.ends))
