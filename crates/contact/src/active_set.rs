@@ -2,6 +2,7 @@
 
 use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::{Factor, Scaling};
+use faer::Mat;
 
 /// Part of a number that may be round-off.
 const LEAST: f64 = 1e-9;
@@ -15,30 +16,20 @@ impl Complementarity<'_> {
             return false;
         }
         let motions = self.motions();
-        let closes = |i: usize| {
-            let made_up =
-                motions.iter().map(|motion| motion[i] * (0..n).map(|k| motion[k] * self.compliance[(k, i)]).sum::<f64>());
-            own(i) - made_up.sum::<f64>() < LEAST * own(i)
-        };
-        (0..n).all(closes)
+        let made_up = &motions * (motions.transpose() * &*self.compliance);
+        (0..n).all(|i| own(i) - made_up[(i, i)] < LEAST * own(i))
     }
 
-    /// Openings of the points by the coordinates, made orthonormal; none of coordinates that open no point.
-    fn motions(&self) -> Vec<Vec<f64>> {
-        let mut motions: Vec<Vec<f64>> = Vec::new();
-        for column in self.influence.col_iter() {
-            let size = column.norm_l2();
-            let mut motion: Vec<f64> = column.iter().copied().collect();
-            for known in &motions {
-                let share: f64 = known.iter().zip(&motion).map(|(a, b)| a * b).sum();
-                motion.iter_mut().zip(known).for_each(|(m, k)| *m -= share * k);
-            }
-            let left = motion.iter().map(|m| m * m).sum::<f64>().sqrt();
-            if left > LEAST * size {
-                motions.push(motion.iter().map(|m| m / left).collect());
-            }
-        }
-        motions
+    /// An orthonormal basis of what the coordinates open the points by, `points x motions`.
+    fn motions(&self) -> Mat<f64> {
+        let openings = &self.influence;
+        let unit = Mat::from_fn(openings.nrows(), openings.ncols(), |i, j| match openings.col(j).norm_l2() {
+            0.0 => 0.0,
+            size => openings[(i, j)] / size,
+        });
+        let qr = unit.col_piv_qr();
+        let independent = qr.thin_R().diagonal().column_vector().iter().filter(|r| r.abs() > LEAST).count();
+        qr.compute_thin_Q().subcols(0, independent).to_owned()
     }
 
     /// Solves with `w = 0` on the active points and `lambda = 0` on the others; `None` if that is singular.

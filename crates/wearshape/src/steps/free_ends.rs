@@ -52,7 +52,7 @@ pub(crate) struct Positioned<'a> {
 }
 
 impl Positioned<'_> {
-    /// The ends of the contact of a scene with heat once its points may open and close, at a part of the sliding speed.
+    /// The ends of the contact of a scene with heat once its points may open and close, at a part of the sliding speed; none where these do not settle.
     pub(crate) fn ends_at(&self, speed: f64) -> Result<FreeEnds, Fault> {
         let pair = self.reduced.pair()?;
         let length = pair.trace().length();
@@ -62,8 +62,8 @@ impl Positioned<'_> {
         }
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
         let (gap, load) = (start_gaps(*stage, &operator), stage.contact_load(operator.points()));
-        let released = following.settled(&operator, &gap, &load, speed, Some(&hot.found))?;
-        Ok(FreeEnds::of(&released.found, length))
+        let released = following.settled(&operator, &gap, &load, speed, Some(&hot.found));
+        Ok(released.map_or_else(|_| FreeEnds::default(), |released| FreeEnds::of(&released.found, length)))
     }
 }
 
@@ -123,7 +123,7 @@ fn held<'a>(
     // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
     let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
     let residuals = nodes.iter().map(scaled).collect();
-    let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot, between: Some(closed.clone()) });
+    let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot, between: None });
     Ok(Some((residuals, Positioned { reduced: Arc::clone(&reduced), held, hot })))
 }
 

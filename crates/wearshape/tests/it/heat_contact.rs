@@ -29,14 +29,18 @@ body2.heat.bottom = { convection = 2, ambient = 30 }
 /// continues the contact of slower sliding is found at every speed and degree. Degree 12 with 12 layers has these ends.
 #[test]
 fn a_hot_contact_is_the_one_that_continues_that_of_slower_sliding() {
-    let known = [(7.0, 8, 71.4196, 95.1158), (9.2, 8, 71.4398, 89.4555), (12.0, 6, 71.5081, 85.6377)];
-    for (speed, degree, inner, outer) in known {
+    let known = [
+        (7.0, 8, [71.4196, 95.1158], [0.003, 0.04]),
+        (9.2, 8, [71.4398, 89.4555], [0.003, 0.04]),
+        (12.0, 6, [71.5081, 85.6377], [0.01, 0.1]),
+    ];
+    for (speed, degree, [inner, outer], near) in known {
         let mesh = [format!("mesh.degree={degree}"), format!("mesh.layers={degree}")];
         let settings = ["tasks=[contact]", &mesh[0], &mesh[1], &format!("sliding.omega={speed}")];
         let solution = solved(&scene("clutch-hot", &settings));
         assert!(solution.status == Status::Ok && solution.remarks.is_empty(), "{speed}: {:?}", solution.remarks);
         let ends = solution.contact.unwrap().ends;
-        assert!((ends[0] - inner).abs() < 0.02 && (ends[1] - outer).abs() < 0.1, "{speed}: {ends:?}");
+        assert!((ends[0] - inner).abs() < near[0] && (ends[1] - outer).abs() < near[1], "{speed}: {ends:?}");
     }
 }
 
@@ -55,18 +59,22 @@ fn a_hot_contact_that_slower_sliding_does_not_lead_to_is_told_to_be_one_of_sever
 /// speed at which they are no longer unique are those of one contact. Degree 12 has the end at -1.58447 mm and the factor 1.469634.
 #[test]
 fn ends_and_critical_speed_of_a_hot_contact_are_those_of_its_pressure() {
-    for degree in [8, 10] {
+    for (degree, near, of_factor) in [(6, 4e-3, 6e-4), (8, 6e-4, 1e-4)] {
         let mesh = [format!("mesh.degree={degree}"), format!("mesh.layers={degree}")];
         let solution = solved(&read(SLAB, &[&mesh[0], &mesh[1]]));
         assert_eq!(solution.status, Status::Ok, "{degree}: {:?}", solution.reason);
         let (contact, heat) = (solution.contact.unwrap(), solution.heat.unwrap());
-        assert!((contact.ends[0] + 1.5845).abs() < 5e-3 && (contact.ends[1] - 10.0).abs() < 1e-9, "{degree}: {:?}", contact.ends);
+        assert!(
+            (contact.ends[0] + 1.58447).abs() < near && (contact.ends[1] - 10.0).abs() < 1e-9,
+            "{degree}: {:?}",
+            contact.ends
+        );
         let profile = solution.profile.unwrap();
         let pressed = |i: &usize| profile.pressure[*i] > 0.0;
         let first = (0..profile.pressure.len()).find(pressed).unwrap();
         assert!((profile.position[first][0] - contact.ends[0]).abs() < 0.1, "{degree}: {:?}", profile.position[first]);
         let Some(SpeedFactor::At(factor)) = heat.critical_speed_factor else { panic!("{degree}: no factor") };
-        assert!((factor / 1.469634 - 1.0).abs() < 1e-3, "{degree}: {factor}");
+        assert!((factor / 1.469634 - 1.0).abs() < of_factor, "{degree}: {factor}");
     }
 }
 
@@ -88,5 +96,5 @@ fn a_contact_that_is_lost_on_a_mesh_without_nodes_is_followed_from_slower_slidin
     let solution = solved(&scene("clutch-hot", &["tasks=[contact]", "accuracy=1e-2", heat]));
     assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
     let ends = solution.contact.unwrap().ends;
-    assert!((ends[0] - 98.31).abs() < 0.05 && (ends[1] - 107.98).abs() < 0.05, "{ends:?}");
+    assert!((ends[0] - 98.3139).abs() < 1e-3 && (ends[1] - 107.9855).abs() < 1e-3, "{ends:?}");
 }
