@@ -118,7 +118,7 @@ fn trial<'a>(
     let Some(hot) = &standing else { return Ok(None) };
     let lost = hot.lost().is_some();
     let inside = FreeEnds::of(&hot.hot.found, hot.reduced().pair()?.trace().length());
-    *ends = if lost || hot.may_be_one_of_several(!inside.places.is_empty())? {
+    *ends = if lost || hot.may_be_one_of_several(!inside.places.is_empty(), search.speeds.as_ref())? {
         search.continued(stage, level, effort)?
     } else {
         inside.clone()

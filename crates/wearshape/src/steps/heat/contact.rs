@@ -78,17 +78,19 @@ impl<'a> HotContact<'a> {
     }
 
     /// Whether other contacts may carry the load: what conducts decides on the contact, which decides on what conducts. Not where heat does next to nothing to
-    /// the pressure, nor where contact fills the surface below its critical speed.
-    pub(crate) fn may_be_one_of_several(&self, ends_inside: bool) -> Result<bool, Fault> {
+    /// the pressure, nor where contact fills the surface below its critical speed, which is `known` where the last level filled it too.
+    pub(crate) fn may_be_one_of_several(&self, ends_inside: bool, known: Option<&SpeedFactors>) -> Result<bool, Fault> {
         let found = &self.hot.found;
         if !self.following.conducts() || !found.status.is_solved() {
             return Ok(self.following.conducts());
         }
+        if let Some(known) = known.filter(|_| !ends_inside) {
+            return Ok(is_strong(known) && is_beyond_critical(known));
+        }
         let pair = self.following.reduced.pair()?;
         let operator = self.following.reduced.operator(&pair, self.stage.friction() > 0.0)?;
         let factors = self.following.factors(&operator, &self.stage.contact_load(operator.points()), &found.closed)?;
-        let is_strong = factors.staggered.is_some_and(|factor| factor < WEAK);
-        Ok(is_strong && (ends_inside || factors.singular.first().is_some_and(|factor| *factor < 1.0)))
+        Ok(is_strong(&factors) && (ends_inside || is_beyond_critical(&factors)))
     }
 
     /// The load of the contact, that of its heat among it.
@@ -131,4 +133,14 @@ impl<'a> HotContact<'a> {
         }
         Ok(result)
     }
+}
+
+/// Whether heat changes the pressure by much.
+fn is_strong(factors: &SpeedFactors) -> bool {
+    factors.staggered.is_some_and(|factor| factor < WEAK)
+}
+
+/// Whether sliding is faster than a speed at which the contact is singular.
+fn is_beyond_critical(factors: &SpeedFactors) -> bool {
+    factors.singular.first().is_some_and(|factor| *factor < 1.0)
 }
