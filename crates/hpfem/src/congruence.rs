@@ -14,6 +14,9 @@ use crate::problem::BodyProblem;
 use crate::space::Space;
 use std::collections::HashMap;
 
+/// Classes with the same numbers ([`invariants`]) that a cell is compared with, the last ones: cells that all differ a little cost no square of their number.
+const COMPARED: usize = 32;
+
 /// Cells that share one condensed matrix, and how each lies in the plane compared with the first of them.
 #[derive(Clone)]
 pub(crate) struct Congruence {
@@ -138,18 +141,23 @@ impl Congruence {
     pub(crate) fn of_plane_cells(mesh: &Mesh, space: &Space, materials: &[Material], kinematics: Kinematics) -> Congruence {
         let mut found = Congruence { classes: Vec::new(), class: Vec::new(), turn: Vec::new() };
         let mut outlines: Vec<Option<Outline>> = Vec::new();
-        let mut buckets: HashMap<[i64; 6], Vec<usize>> = HashMap::new();
+        let mut buckets: HashMap<[i64; 8], Vec<usize>> = HashMap::new();
         for (c, cell) in mesh.cells.iter().enumerate() {
             let edges = edge_degrees(mesh, space, c);
             let mut outline = outline(mesh, c);
             let mut hit = None;
             if let Some(outline) = &outline {
-                let [a, b, d] = invariants(outline);
-                let key = [a, b, d, cell.material as i64, space.cell_degree[c] as i64, i64::from(outline.triangle)];
+                let [a, b, d, least, most] = invariants(outline);
+                let (degree, triangle) = (space.cell_degree[c] as i64, i64::from(outline.triangle));
+                let key = [a, b, d, least, most, cell.material as i64, degree, triangle];
                 let bucket = buckets.entry(key).or_default();
                 let material = &materials[cell.material];
                 let sees = |turn: &Turn| !material.is_isotropic(kinematics) && !material.is_alike_after(turn.matrix);
-                hit = bucket.iter().find_map(|k| similarity(outlines[*k].as_ref()?, outline, sees).map(|turn| (*k, turn)));
+                hit = bucket
+                    .iter()
+                    .rev()
+                    .take(COMPARED)
+                    .find_map(|k| similarity(outlines[*k].as_ref()?, outline, sees).map(|turn| (*k, turn)));
                 if hit.is_none() {
                     bucket.push(found.classes.len());
                 }
@@ -196,8 +204,9 @@ fn centre(corners: &[[f64; 2]]) -> [f64; 2] {
     std::array::from_fn(|i| corners.iter().map(|x| x[i]).sum::<f64>() / corners.len() as f64)
 }
 
-/// Numbers that do not change under similarities and symmetries of the cell, rounded; they only narrow the search.
-fn invariants(outline: &Outline) -> [i64; 3] {
+/// Numbers that do not change under similarities and symmetries of the cell, rounded; they only narrow the search. The shortest and the longest side tell cells
+/// that are nearly squares apart, which have the other numbers in common.
+fn invariants(outline: &Outline) -> [i64; 5] {
     let corners = &outline.points[..if outline.triangle { 3 } else { 4 }];
     let middles = &outline.points[4..];
     let centre = centre(corners);
@@ -207,7 +216,12 @@ fn invariants(outline: &Outline) -> [i64; 3] {
     let apart: f64 = corners.iter().map(|x| relative(x).powi(2)).sum();
     let middle: f64 = middles.iter().map(relative).sum();
     let spread: f64 = middles.iter().map(|x| relative(x).powi(2)).sum();
-    [apart, middle, spread].map(|v| (1e6 * v).round() as i64)
+    let sides = (0..corners.len()).map(|k| {
+        let ([a, b], [c, d]) = (corners[k], corners[(k + 1) % corners.len()]);
+        (c - a).hypot(d - b) / size.sqrt()
+    });
+    let [least, most] = sides.fold([f64::INFINITY, 0.0], |[least, most], side| [least.min(side), f64::max(most, side)]);
+    [apart, middle, spread, least, most].map(|v| (1e6 * v).round() as i64)
 }
 
 /// A similarity that takes one outline to another and that the material does not see, if there is one.

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::load_case::{BoundaryTraction, EdgeTraction, Load, LoadCase, PointForce};
 use crate::mesh::Mesh;
 use crate::point_search::PointSearch;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 /// A traction on an edge, or on a part of it.
@@ -45,7 +46,7 @@ impl<'a> Loads<'a> {
     /// Finds what takes the loads of these cases.
     ///
     /// # Errors
-    /// Boundaries that do not exist or are no open path where part of them is loaded, parts off the path, points outside the mesh.
+    /// Boundaries that do not exist or are no path where part of them is loaded, parts off the path, points outside the mesh.
     pub(crate) fn new(mesh: &Mesh, cases: &'a [LoadCase]) -> Result<Loads<'a>, Error> {
         let edges = mesh.edges.iter().map(|_| Vec::new()).collect();
         let mut loads = Loads { cases: cases.len(), edges, volume: Vec::new(), points: BTreeMap::new() };
@@ -53,11 +54,14 @@ impl<'a> Loads<'a> {
             return Ok(loads);
         }
         let neighbours = mesh.edge_cells();
+        let search = OnceCell::new();
         for (number, case) in cases.iter().enumerate() {
             for load in &case.loads {
                 match load {
                     Load::Traction(traction) => loads.push_traction(mesh, &neighbours, (number, traction))?,
-                    Load::PointForce(point) => loads.push_point(mesh, (number, point))?,
+                    Load::PointForce(point) => {
+                        loads.push_point(search.get_or_init(|| PointSearch::new(mesh)), (number, point))?
+                    }
                     Load::BodyForce(_) | Load::Eigenstrain(_) => loads.volume.push((number, load)),
                 }
             }
@@ -97,8 +101,8 @@ impl<'a> Loads<'a> {
         Ok(())
     }
 
-    fn push_point(&mut self, mesh: &Mesh, (case, load): (usize, &PointForce)) -> Result<(), Error> {
-        let (cell, xi, eta) = PointSearch::new(mesh).locate(load.at)?;
+    fn push_point(&mut self, search: &PointSearch<'_>, (case, load): (usize, &PointForce)) -> Result<(), Error> {
+        let (cell, xi, eta) = search.locate(load.at)?;
         self.points.entry(cell).or_default().push(CellForce { case, reference: [xi, eta], force: load.force });
         Ok(())
     }

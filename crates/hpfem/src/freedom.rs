@@ -135,8 +135,8 @@ pub struct Pin {
 /// A boundary that moves as a rigid line: `u_x = t_x - theta (z - z0)`, `u_z = t_z + theta (x - x0)`.
 ///
 /// Its free motions are kept as unknowns of the interface operator, so that force and moment or approach and tilt can be
-/// chosen later without a new factorisation. What supports hold of the boundary is expressed by `free`: a support or pin against a free motion
-/// at one of its vertices, or with a displacement there, is refused. In a body of revolution only `t_z` can be free; problems of one
+/// chosen later without a new factorisation. What supports hold of the boundary is expressed by `free`: a support against a free motion
+/// at one of its vertices, or with a displacement there, is refused, and so is any pin. In a body of revolution only `t_z` can be free; problems of one
 /// component have no rigid edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidEdge {

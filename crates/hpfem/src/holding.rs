@@ -151,14 +151,19 @@ impl Given<'_> {
     }
 }
 
-/// The largest displacement that supports prescribe at vertices and middles of their edges, mm.
+/// Places on an edge, beside its ends, at which a displacement is looked at.
+const LOOKED_AT: u32 = 32;
+
+/// The largest displacement that supports prescribe at vertices and between them, mm.
 fn largest_displacement(problem: &BodyProblem) -> Result<f64, Error> {
     let mesh = &problem.mesh;
     let mut largest = 0.0_f64;
     for support in &problem.supports {
         for e in mesh.boundary(&support.boundary)? {
-            let [a, b] = mesh.edges[e].vertices.map(|v| mesh.vertices[v]);
-            for value in [a, b, mesh.edges[e].curve.point(0.0)].map(|x| support.displacement(x)) {
+            let ends = mesh.edges[e].vertices.map(|v| mesh.vertices[v]);
+            let places = if support.varying.is_some() { 1..LOOKED_AT } else { 0..0 };
+            let between = places.map(|k| mesh.edges[e].curve.point(2.0 * f64::from(k) / f64::from(LOOKED_AT) - 1.0));
+            for value in ends.into_iter().chain(between).map(|x| support.displacement(x)) {
                 if !value.is_finite() {
                     let quantity = format!("the displacement of support \"{}\"", support.boundary);
                     return Err(Error::OutOfRange { quantity, value, range: "finite" });

@@ -83,7 +83,7 @@ impl InterfaceParts {
         let names = &self.load_cases;
         let faults = [
             (
-                self.traces.iter().any(|t| !t.is_sound(components)),
+                self.traces.iter().any(|t| !t.is_sound(components, self.reaction_constant.nrows() / 3)),
                 "a kept boundary names unknowns, modes, edges or places that there are not",
             ),
             (
@@ -215,11 +215,12 @@ impl InterfaceOperator {
     pub fn factors(&self, cases: &[(&str, f64)]) -> Result<Vec<f64>, Error> {
         let mut factors = self.factors_in_order(&[]);
         for (name, factor) in cases {
-            if !factor.is_finite() {
+            let sum = &mut factors[self.load_case(name)?];
+            *sum += factor;
+            if !sum.is_finite() {
                 let quantity = format!("the factor of load case \"{name}\"");
-                return Err(Error::OutOfRange { quantity, value: *factor, range: "finite" });
+                return Err(Error::OutOfRange { quantity, value: *sum, range: "finite" });
             }
-            factors[self.load_case(name)?] += factor;
         }
         Ok(factors)
     }

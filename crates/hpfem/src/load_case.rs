@@ -75,7 +75,7 @@ pub struct EdgeTraction {
     pub boundary: String,
     /// The part between two arc lengths, mm, from the end of the path with the smaller coordinates (first coordinate first), if not
     /// the whole; beyond the path it is cut off, and refused where it is wholly there. The quadrature ends where the traction does, so that a jump inside an edge costs no
-    /// accuracy of the load (the stress has a singular point there that the mesh must resolve). The boundary is an open path then.
+    /// accuracy of the load (the stress has a singular point there that the mesh must resolve). The boundary is one path then; a closed one begins as [`Mesh::path`](crate::Mesh::path) walks it.
     pub range: Option<[f64; 2]>,
     /// The traction, MPa; it must be smooth on each edge for the quadrature to be accurate.
     pub traction: BoundaryTraction,

@@ -142,6 +142,16 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
     Quadrature { points, weights }
 }
 
+impl Quadrature {
+    /// The same rule walked from the other end: for the weight function mirrored.
+    pub(crate) fn reversed(mut self) -> Quadrature {
+        self.points.reverse();
+        self.points.iter_mut().for_each(|x| *x = -*x);
+        self.weights.reverse();
+        self
+    }
+}
+
 /// Jacobi polynomial `P^(a,b)_n(x)` by its three-term recurrence (Abramowitz and Stegun 22.7.1).
 fn jacobi_polynomial(n: usize, a: f64, b: f64, x: f64) -> f64 {
     let (mut lower, mut value) = (0.0, 1.0);

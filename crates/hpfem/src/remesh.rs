@@ -23,8 +23,9 @@ impl Mesh {
                 _ => map(edge.curve.point(t)),
             });
             let line = Curve::Line { start, end };
-            let off = |t: &f64| distance(curve.point(*t), line.point(*t)) > 1e-14 * line.length();
-            image.curve = if [-0.6, -0.2, 0.2, 0.6].iter().any(off) { curve } else { line };
+            let on_line = |t: &f64| distance(curve.point(*t), line.point(*t)) <= 1e-14 * line.length();
+            // A map that is no number somewhere is on no line.
+            image.curve = if [-0.6, -0.2, 0.2, 0.6].iter().all(on_line) { line } else { curve };
         }
         mesh.check_cells()?;
         Ok(mesh)

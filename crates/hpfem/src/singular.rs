@@ -56,10 +56,10 @@ pub fn singular_vertices(
     check_materials(mesh, materials)?;
     let constants = Constants::of(materials, kinematics)?;
     let wedges = Wedges { mesh, sides: mesh.edge_cells(), constants, held: held(mesh, supports)?, kinematics };
-    // Number of the load on each edge; jumps are where it changes along the boundary.
-    let mut load = vec![0_usize; mesh.edges.len()];
+    // Numbers of the loads on each edge; jumps are where they change along the boundary.
+    let mut load: Vec<Vec<usize>> = vec![Vec::new(); mesh.edges.len()];
     for (number, name) in loaded.iter().enumerate() {
-        mesh.boundary(name)?.into_iter().for_each(|e| load[e] |= 1 << (number % 60));
+        mesh.boundary(name)?.into_iter().for_each(|e| load[e].push(number));
     }
     let mut around: Vec<Vec<(usize, usize)>> = vec![Vec::new(); mesh.vertices.len()];
     for (c, cell) in mesh.cells.iter().enumerate() {
@@ -272,9 +272,15 @@ fn ray(mesh: &Mesh, edge: usize, vertex: usize) -> [f64; 2] {
 }
 
 /// Real part of the smallest exponent of a corner, `u ~ r^lambda`, at most 1: the sectors anti-clockwise from the first face; no
-/// faces for sectors that close around a point. 1 without sectors.
+/// faces for sectors that close around a point. 1 without sectors, NaN where angles are not positive or make more than a full turn.
 pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
-    if sectors.is_empty() { 1.0 } else { smallest_root(sectors, faces, kinematics, STARTS) }
+    let turn: f64 = sectors.iter().map(|sector| sector.angle).sum();
+    let is_corner = sectors.iter().all(|sector| sector.angle > 0.0) && turn < TAU + 1e-6;
+    match (sectors.is_empty(), is_corner) {
+        (true, _) => 1.0,
+        (false, false) => f64::NAN,
+        (false, true) => smallest_root(sectors, faces, kinematics, STARTS),
+    }
 }
 
 /// Starts along the real part, up to 1, and along the imaginary one.

@@ -127,24 +127,30 @@ impl Trace {
         trace
     }
 
-    /// Gauss-Lobatto points of every edge; on an edge that starts on the axis of revolution Gauss-Lobatto-Jacobi points.
+    /// Gauss-Lobatto points of every edge; on an edge that starts or ends on the axis of revolution Gauss-Lobatto-Jacobi points.
     fn place_points(&mut self, kinematics: Kinematics) {
         for number in 0..self.edges.len() {
             let edge = &self.edges[number];
             let radius = |t: f64| edge.curve.point(t)[0];
-            let on_axis = kinematics.is_revolved() && radius(-1.0).abs() <= 1e-12 * radius(1.0).abs();
+            let on_axis = |t: f64| kinematics.is_revolved() && radius(t).abs() <= 1e-12 * radius(-t).abs();
+            let [starts, ends] = [-1.0, 1.0].map(on_axis);
             let n = edge.degree + 1;
-            let rule = if on_axis { gauss_lobatto_jacobi(n) } else { gauss_lobatto(n) };
+            let rule = match (starts, ends) {
+                (true, _) => gauss_lobatto_jacobi(n),
+                (false, true) => gauss_lobatto_jacobi(n).reversed(),
+                (false, false) => gauss_lobatto(n),
+            };
             for (i, (t, w)) in rule.points.iter().zip(&rule.weights).enumerate() {
                 let (boundary, length) = self.boundary_point(number, *t);
-                // The Jacobi weight 1 + t already holds the radius: r = (1 + t) times a smooth factor.
-                let measure = if on_axis {
-                    let half = if i == 0 { edge.curve.derivative(-1.0)[0] } else { radius(*t) / (1.0 + t) };
-                    kinematics.measure(half)
-                } else {
-                    kinematics.measure(boundary.position[0])
+                // The Jacobi weight 1 + t or 1 - t already holds the radius: r is that times a smooth factor.
+                let factor = match (starts, ends) {
+                    (true, _) if i == 0 => edge.curve.derivative(-1.0)[0],
+                    (true, _) => radius(*t) / (1.0 + t),
+                    (false, true) if i + 1 == n => -edge.curve.derivative(1.0)[0],
+                    (false, true) => radius(*t) / (1.0 - t),
+                    (false, false) => boundary.position[0],
                 };
-                let weight = w * length * measure;
+                let weight = w * length * kinematics.measure(factor);
                 let arc = edge.start + edge.curve.length_until(*t);
                 if self.closed && number + 1 == self.edges.len() && i + 1 == n {
                     if let Some(first) = self.points.first_mut() {
@@ -161,13 +167,14 @@ impl Trace {
         }
     }
 
-    /// Whether all edges name kept unknowns that there are, for all their modes, and all points lie on the edges.
-    pub(crate) fn is_sound(&self, components: usize) -> bool {
+    /// Whether all edges name kept unknowns and supports that there are, for all their modes, and all points lie on the edges.
+    pub(crate) fn is_sound(&self, components: usize, supports: usize) -> bool {
         let edge = |e: &TraceEdge| {
-            let modes = e.degree + 1;
+            let modes = e.unknowns.len();
             let named = e.unknowns.iter().flatten().flatten().all(|(u, _)| *u < self.unknowns);
             let components = e.unknowns.iter().all(|mode| mode.len() == self.components);
-            named && components && e.unknowns.len() == modes && e.prescribed.len() == modes && e.fixed.iter().all(|f| f.0 < modes)
+            let fixed = e.fixed.iter().all(|(mode, support, _)| *mode < modes && *support < supports);
+            named && components && fixed && modes.checked_sub(1) == Some(e.degree) && e.prescribed.len() == modes
         };
         let point = |p: &TracePoint| p.edge < self.edges.len() && p.parameter.abs() <= 1.0 && p.weight >= 0.0;
         self.components == components && self.edges.iter().all(edge) && self.points.iter().all(point)

@@ -91,16 +91,25 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
             mesh = square_layers(mesh, corner, share, layers as usize)?;
         }
         for place in [a, b] {
-            let edges = mesh.boundary(CONTACT)?;
-            let hit =
-                edges.into_iter().map(|e| (e, extent.parameter(&mesh.edges[e].curve, place))).find(|(_, t)| t.abs() < 1.0 - 1e-9);
-            if let Some((edge, t)) = hit {
-                points.push(mesh.edges[edge].curve.point(t));
-                mesh = mesh.cut_through(edge, t)?;
-            }
+            let (cut, point) = cut_at(mesh, extent, place)?;
+            mesh = cut;
+            points.extend(point);
         }
     }
     Ok((mesh, points))
+}
+
+/// The mesh with a vertex at a place on the contact surface, and where that is: one that is there stays.
+fn cut_at(mesh: Mesh, extent: Extent, place: f64) -> Result<(Mesh, Option<[f64; 2]>), Error> {
+    let edges = mesh.boundary(CONTACT)?;
+    let inside =
+        edges.into_iter().map(|e| (e, extent.parameter(&mesh.edges[e].curve, place))).find(|(_, t)| t.abs() < 1.0 - 1e-9);
+    if let Some((edge, t)) = inside {
+        let point = mesh.edges[edge].curve.point(t);
+        return Ok((mesh.cut_through(edge, t)?, Some(point)));
+    }
+    let vertex = at_end(&mesh, extent, place).map(|(edge, side)| mesh.vertices[mesh.edges[edge].vertices[side]]);
+    Ok((mesh, vertex))
 }
 
 /// Layers around a vertex on the contact surface that make the edges of that `share` times as long, and those inside the body about as long as these: cells
@@ -144,18 +153,9 @@ pub(crate) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result
             let layers = (share.ln() / RATIO.ln() - ROUND_OFF).ceil().max(1.0);
             mesh = square_layers(mesh, corner, share, layers as usize)?;
         }
-        for x in [place, 0.5 * (place + end)] {
-            let edges = mesh.boundary(CONTACT)?;
-            let hit =
-                edges.into_iter().map(|e| (e, extent.parameter(&mesh.edges[e].curve, x))).find(|(_, t)| t.abs() < 1.0 - 1e-9);
-            if let Some((edge, t)) = hit {
-                let point = mesh.edges[edge].curve.point(t);
-                mesh = mesh.cut_through(edge, t)?;
-                if x == place {
-                    points.push(point);
-                }
-            }
-        }
+        let (cut, point) = cut_at(mesh, extent, place)?;
+        points.extend(point);
+        mesh = cut_at(cut, extent, 0.5 * (place + end))?.0;
     }
     Ok((mesh, points))
 }

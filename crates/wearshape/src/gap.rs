@@ -17,6 +17,10 @@ pub(crate) use self::smoothing::Residual;
 /// Share of the contact surface within which a ring begins on the axis.
 const ON_AXIS: f64 = 1e-12;
 
+/// Most corners that get nodes, and how far from the ends of the surface and from each other they are at least, over half of it: others are rows as close as cells.
+const MOST: usize = 8;
+const APART: f64 = 1e-4;
+
 /// The unloaded gap at the start: a sum of terms, none where both surfaces are one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct StartGap {
@@ -87,6 +91,16 @@ impl StartGap {
     /// What the rows of a profile have of noise on a surface, if it is rough.
     pub(crate) fn noise(&self, surface: [f64; 2]) -> Option<Noise> {
         self.terms.iter().find_map(|term| if let Term::Rows(curve) = term { curve.noise(surface) } else { None })
+    }
+
+    /// Places from -1 to 1 along a surface at which the gap has a corner, under which the pressure is singular and needs nodes; none of a profile that has too many.
+    pub(crate) fn corners(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let of = |term: &Term| if let Term::Rows(curve) = term { curve.corners() } else { Vec::new() };
+        let places = self.terms.iter().flat_map(of).map(|s| (2.0 * s - from - to) / (to - from));
+        let mut corners: Vec<f64> = places.filter(|t| t.abs() < 1.0 - APART).collect();
+        corners.sort_unstable_by(f64::total_cmp);
+        corners.dedup_by(|next, before| *next - *before < APART);
+        if corners.len() > MOST { Vec::new() } else { corners }
     }
 
     /// Whether circles are among what makes the gap.

@@ -4,6 +4,7 @@ mod bodies;
 mod body_field;
 mod brake;
 mod circles;
+mod corners;
 mod degrees;
 mod effort;
 mod energy_result;

@@ -69,7 +69,7 @@ impl<'a> Stage<'a> {
     /// Both bodies of a level, meshed and reduced unless that was done before.
     pub(crate) fn reduced(&self, level: Level, cut: Cut<'static>) -> Result<(Arc<Reduced>, Effort), Fault> {
         // How far a round contact may reach follows from the load: such bodies fit no other run.
-        if self.facing() {
+        if self.facing() || !self.corners().is_empty() {
             return self.made(level, cut);
         }
         self.bodies.get(self.couple, Place { level, cut, torsion: false }, || self.make(level, cut))
@@ -98,7 +98,7 @@ impl<'a> Stage<'a> {
             effort += work;
             Ok((reduced, effort))
         };
-        let (reduced, effort) = if ends.is_empty() {
+        let (reduced, effort) = if ends.is_empty() && self.corners().is_empty() {
             self.bodies.get(self.couple, Place { level, cut: Cut::Plain, torsion: true }, || make(Cut::Plain))?
         } else {
             make(Cut::Ends(ends)).map(|(reduced, effort)| (Arc::new(reduced), effort))?
@@ -142,8 +142,13 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// The meshes of both bodies with so many layers.
+    /// The meshes of both bodies with so many layers, cut at the corners of the gap too, where they can be.
     pub(crate) fn meshes(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
+        let with_corners = self.with_corners(cut).and_then(|nodes| self.meshes_at(layers, Cut::Ends(&nodes)).ok());
+        with_corners.map_or_else(|| self.meshes_at(layers, cut), Ok)
+    }
+
+    fn meshes_at(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
         // The coordinate of a surface may fall along its path.
         let turned: Vec<f64> = if self.patch.backwards { cut.ends().iter().rev().map(|t| -t).collect() } else { Vec::new() };
         let cut = if turned.is_empty() { cut } else { cut.at(&turned) };

@@ -1,6 +1,7 @@
 //! Integration tests.
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod axis;
 mod cattaneo_mindlin;
 mod closed;
 mod common;

@@ -217,3 +217,13 @@ fn a_spline_meets_its_points_bends_smoothly_and_gains_a_factor_of_sixteen_by_hal
     assert!(matches!(Curve::spline(&[[0.0, 0.0]]), Err(Error::Count { .. })));
     assert!(matches!(Curve::spline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]]), Err(Error::OutOfRange { .. })));
 }
+
+#[test]
+fn factors_of_one_case_add_up_to_a_number_or_are_refused() {
+    let problem =
+        BodyProblem::new(crate::classics::rectangle([0.0, 2.0], [0.0, 1.0]), 3, Kinematics::PlaneStrain { thickness: 1.0 });
+    let problem = problem.material(Material::isotropic(1.0, 0.3).unwrap()).clamp("left");
+    let body = Body::new(problem.load("a", EdgeTraction::pressure("right", |_| 1.0))).unwrap();
+    assert!(matches!(body.solve(&[("a", 1e308), ("a", 1e308)]), Err(Error::OutOfRange { .. })));
+    assert!(body.solve(&[("a", 1.0), ("a", 2.0)]).is_ok());
+}

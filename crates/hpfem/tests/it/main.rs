@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod additions;
+mod axis;
 mod classics;
 mod closed;
 mod common;

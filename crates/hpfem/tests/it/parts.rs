@@ -23,6 +23,20 @@ fn an_operator_comes_back_from_text_with_the_same_bits() {
     let broken = text.replacen("\"load_cases\":[\"pull\"]", "\"load_cases\":[]", 1);
     let error = serde_json::from_str::<InterfaceOperator>(&broken).unwrap_err().to_string();
     assert!(error.contains("right-hand sides"), "{error}");
+    // Supports and degrees that there are not (memory beyond all bounds was asked for, and a sum overflowed).
+    let changed = |change: &dyn Fn(&mut serde_json::Value)| {
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        change(&mut value["traces"][0]["edges"][0]);
+        serde_json::from_value::<InterfaceOperator>(value).map(|_| ()).map_err(|error| error.to_string())
+    };
+    assert_eq!(changed(&|_| ()), Ok(()));
+    for fault in [
+        changed(&|edge| edge["fixed"][0][1] = (1_u64 << 40).into()),
+        changed(&|edge| edge["degree"] = u64::MAX.into()),
+        changed(&|edge| edge["degree"] = 4.into()),
+    ] {
+        assert!(fault.is_err_and(|error| error.contains("a kept boundary names")));
+    }
 }
 
 #[test]

@@ -378,3 +378,16 @@ fn supports_that_agree_but_for_round_off_are_taken() {
     assert!(Body::new(BodyProblem { pins, ..bent(square(), PLANE_STRESS) }).is_ok());
     assert!(Body::new(bent(square(), Kinematics::Axisymmetric)).is_ok());
 }
+
+#[test]
+fn numbers_that_are_none_are_refused_wherever_they_stand() {
+    let square = ruled(&[-1.0, 1.0], &[0.0, 1.0], &[]).unwrap();
+    let hole = |x: [f64; 2]| if x[0] > 0.4 && x[0] < 1.6 { [f64::NAN; 2] } else { x };
+    assert!(matches!(square.mapped(hole), Err(Error::FoldedCell { .. })));
+    let mesh = rectangle([0.0, 2.0], [0.0, 1.0]);
+    let gap_between = |[_, z]: [f64; 2]| if z > 0.05 && z < 0.4 { f64::NAN } else { 0.0 };
+    let problem =
+        BodyProblem::new(mesh, 5, Kinematics::PlaneStrain { thickness: 1.0 }).material(Material::isotropic(1.0, 0.3).unwrap());
+    let body = Body::new(problem.clamp("left").support(Support::hold("right", Direction::First).varying(gap_between)));
+    assert!(matches!(body, Err(Error::OutOfRange { quantity, .. }) if quantity == "the displacement of support \"right\""));
+}

@@ -103,3 +103,24 @@ fn uniform_refinement_keeps_shape_names_and_solution() {
     let length = |m: &Mesh| m.boundary("all").unwrap().iter().map(|e| m.edges[*e].curve.length()).sum::<f64>();
     assert_abs_diff_eq!(length(&mesh), length(&fine), epsilon = 1e-12);
 }
+
+#[test]
+fn angles_that_make_no_corner_have_no_exponent() {
+    for degrees in [f64::NAN, -60.0, 0.0, 361.0] {
+        assert!(exponent(degrees, [Face::Free; 2], PLANE_STRAIN, 0.3).is_nan(), "{degrees}");
+    }
+}
+
+/// Two cells side by side; a load ends between them, which is one of many.
+#[test]
+fn the_end_of_a_load_is_singular_however_many_loads_there_are() {
+    let vertices = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 1.0], [1.0, 1.0], [2.0, 1.0]];
+    let quad = |corners| Quad { corners, material: 0, layer: 0 };
+    let names = [([3, 4], "a"), ([4, 5], "b"), ([0, 1], "c")];
+    let mesh = Mesh::new(vertices, &[quad([0, 1, 4, 3]), quad([1, 2, 5, 4])], &[], &names).unwrap();
+    for between in [0, 58, 59, 60, 119] {
+        let loaded: Vec<&str> = std::iter::once("a").chain(std::iter::repeat_n("c", between)).chain(["b"]).collect();
+        let found = singular_vertices(&mesh, PLANE_STRAIN, &[Material::isotropic(1.0, 0.3).unwrap()], &[], &loaded).unwrap();
+        assert!(found.iter().any(|singular| singular.vertex == 4), "{between}");
+    }
+}

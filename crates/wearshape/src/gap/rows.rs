@@ -54,6 +54,12 @@ impl RowCurve {
         knots.into_iter().filter(|s| (from..=to).contains(s)).map(|s| (s, self.at(s))).unzip()
     }
 
+    /// Where the slope jumps: between pieces, and where they begin and end, for nothing changes beyond.
+    pub(super) fn corners(&self) -> Vec<f64> {
+        let first = self.pieces.first().and_then(|piece| piece.knots.first()).copied();
+        first.into_iter().chain(self.ends.iter().copied()).collect()
+    }
+
     /// The places of the rows.
     pub(crate) fn knots(&self) -> Vec<f64> {
         self.pieces.iter().flat_map(|piece| piece.knots.iter().copied()).collect()

@@ -134,7 +134,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let at = At { stage, operator: &operator, found: &found, hot: hot.as_ref() };
     let embedded = at.embedded(&gap)?;
     let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
-    let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
+    let pressure = at.compared(inner_places(&zones, length, SAMPLES), length);
     let mut told = told(stage, &reduced, &operator, &gap, &found);
     // Of a contact that there is not, nothing is told.
     let warm = hot.as_ref().filter(|_| found.status.is_solved());
@@ -179,6 +179,12 @@ struct At<'a> {
 }
 
 impl At<'_> {
+    /// Pressures by which levels are compared, at these places on a surface of this length.
+    fn compared(&self, places: Vec<f64>, length: f64) -> Vec<f64> {
+        let places = self.stage.off_corners(places, length);
+        places.iter().map(|arc| self.operator.pressure_at(&self.found.pressure, *arc)).collect()
+    }
+
     /// Error of the pressure as the embedded degree tells it, on a fixed discretisation.
     fn embedded(&self, gap: &[f64]) -> Result<Option<f64>, Fault> {
         if self.stage.problem.wanted.fixed.is_none() {

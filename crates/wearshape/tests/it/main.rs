@@ -7,6 +7,7 @@ mod campaign;
 mod caps;
 mod coarse_cells;
 mod common;
+mod corners;
 mod critical_factor;
 mod cut_alike;
 mod depth;
