@@ -71,6 +71,14 @@ impl Profile {
             status: vec![PointStatus::Contact; points.len()],
         }
     }
+
+    /// Takes away the results of a contact that was not found: all but the places and the gap.
+    pub(crate) fn withdraw(&mut self) {
+        let pairs = [&mut self.normal_displacement, &mut self.tangential_displacement, &mut self.hoop_displacement];
+        let single = [&mut self.pressure, &mut self.shear, &mut self.opening, &mut self.wear_rate];
+        single.into_iter().chain(pairs.into_iter().flatten()).for_each(|column| column.fill(f64::NAN));
+        self.status.fill(PointStatus::Open);
+    }
 }
 
 fn array(vector: Vector3<f64>) -> [f64; 3] {

@@ -8,6 +8,12 @@ use shapeopt::Spline;
 const WINDOW: usize = 3;
 const CORNER: f64 = 0.4;
 
+/// Jump of the slope, over the steepest, from which a corner asks for nodes; distance of rows, over all of them, up to which they are as close as those of layers; and
+/// how many are many.
+const MUCH: f64 = 0.05;
+const CLOSE: f64 = 1e-3;
+const MANY: usize = 12;
+
 /// A curve through rows, or near them: splines between corners, constant beyond both ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RowCurve {
@@ -54,10 +60,24 @@ impl RowCurve {
         knots.into_iter().filter(|s| (from..=to).contains(s)).map(|s| (s, self.at(s))).unzip()
     }
 
-    /// Where the slope jumps: between pieces, and where they begin and end, for nothing changes beyond.
+    /// Where the slope jumps by much: between pieces, and where they begin and end, for nothing changes beyond. Not between rows as close as those of layers, whose
+    /// digits turn the slope, nor at the last of many rows, before which a shape is steep without a corner.
     pub(super) fn corners(&self) -> Vec<f64> {
-        let first = self.pieces.first().and_then(|piece| piece.knots.first()).copied();
-        first.into_iter().chain(self.ends.iter().copied()).collect()
+        let mut rows = self.knots();
+        rows.dedup();
+        let [Some(first), Some(last)] = [rows.first(), rows.last()].map(Option::<&f64>::copied) else { return Vec::new() };
+        let slope = |k: usize| (self.at(rows[k + 1]) - self.at(rows[k])) / (rows[k + 1] - rows[k]);
+        let steepest = (0..rows.len() - 1).fold(0.0, |most: f64, k| most.max(slope(k).abs()));
+        let is_corner = |s: &f64| {
+            let k = rows.partition_point(|row| row < s);
+            if k == 0 || k + 1 >= rows.len() {
+                return true;
+            }
+            let closest = (rows[k] - rows[k - 1]).min(rows[k + 1] - rows[k]);
+            let is_last = rows.len() > MANY && k.min(rows.len() - 1 - k) <= WINDOW;
+            !is_last && closest > CLOSE * (last - first) && (slope(k) - slope(k - 1)).abs() > MUCH * steepest
+        };
+        std::iter::once(first).chain(self.ends.iter().copied()).filter(is_corner).collect()
     }
 
     /// The places of the rows.

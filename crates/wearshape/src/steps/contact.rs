@@ -14,6 +14,7 @@ use crate::faults::unsolved;
 use crate::heat_result::HeatResult;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
+use crate::profile::Profile;
 use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -236,7 +237,13 @@ fn told(stage: Stage<'_>, reduced: &Reduced, operator: &ContactOperator<'_>, gap
     let own =
         Own { points: operator.points(), pressure: &found.pressure, gap, opening: &found.opening, closed: Some(&found.closed) };
     let states = [Some(&found.shaped), found.counter.as_ref()];
-    Answer { stage, reduced, pair, states, own, between: &between }.told()
+    let mut told = Answer { stage, reduced, pair, states, own, between: &between }.told();
+    if !found.status.is_solved() {
+        // What a search came to that found no contact is no result.
+        [&mut told.profile, &mut told.curve].into_iter().for_each(Profile::withdraw);
+        (told.energy, told.reactions, told.brake) = Default::default();
+    }
+    told
 }
 
 /// Share of half the surface up to which a contact by the formula of Hertz is too short to be found on a mesh that knows nothing of it.

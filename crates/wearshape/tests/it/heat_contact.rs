@@ -98,3 +98,28 @@ fn a_contact_that_is_lost_on_a_mesh_without_nodes_is_followed_from_slower_slidin
     let ends = solution.contact.unwrap().ends;
     assert!((ends[0] - 98.3139).abs() < 1e-3 && (ends[1] - 107.9855).abs() < 1e-3, "{ends:?}");
 }
+
+/// Soft bodies of which much heat leaves no contact. (The search's last pressures were reported, up to 4e5 MPa, with reactions to them.)
+#[test]
+fn a_contact_that_is_not_found_has_no_pressure_and_no_reactions() {
+    let settings = [
+        "tasks=[contact]",
+        "contact.friction=1",
+        "sliding.omega=10",
+        "load.force=1e4",
+        "body1.material={young=1e4,poisson=0.3,conductivity=20,expansion=1e-5}",
+        "body2.material={young=1e5,poisson=0.27,conductivity=50,expansion=1.1e-5}",
+        "heat={conductance=5,counterface='fresh',reference=20}",
+        "body1.heat={top={temperature=20}}",
+        "body2.heat={inner={temperature=20}}",
+        "kinematics=plane-strain",
+        "accuracy=1e-3",
+    ];
+    let solution = solved(&scene("drum-brake-block", &settings));
+    assert_eq!(solution.status, Status::Refused);
+    let profile = solution.profile.unwrap();
+    assert!(
+        !profile.pressure.is_empty() && profile.pressure.iter().all(|p| p.is_nan()) && profile.gap.iter().all(|gap| *gap == 0.0)
+    );
+    assert!(solution.reactions.is_empty() && solution.heat.is_none());
+}
