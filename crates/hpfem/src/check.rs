@@ -58,14 +58,10 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
     Ok(())
 }
 
-/// Places on an edge, beside its ends, at which its radius is looked at.
-const LOOKED_AT: u32 = 32;
-
 /// Refuses curved edges that cross the axis of revolution between their ends.
 fn check_radii(mesh: &Mesh, size: f64) -> Result<(), Error> {
     for (e, edge) in mesh.edges.iter().enumerate().filter(|(_, edge)| !edge.curve.is_straight()) {
-        let radii = (1..LOOKED_AT).map(|k| edge.curve.point(2.0 * f64::from(k) / f64::from(LOOKED_AT) - 1.0)[0]);
-        let least = radii.fold(f64::INFINITY, f64::min);
+        let least = edge.curve.between_ends().map(|x| x[0]).fold(f64::INFINITY, f64::min);
         if least < -1e-12 * size {
             let [a, b] = edge.vertices;
             let quantity = format!("the least radius of edge {e} from vertex {a} to {b}");
@@ -165,8 +161,8 @@ pub(crate) fn check_case(case: &LoadCase, mesh: &Mesh, kinematics: Kinematics) -
                     let quantity = format!("a number of a point force of load case \"{}\"", case.name);
                     return Err(Error::OutOfRange { quantity, value: *value, range: "finite" });
                 }
-                let size = mesh.vertices.iter().fold(0.0_f64, |most, x| most.max(x[0].abs()));
-                if kinematics.is_revolved() && point.at[0].abs() <= 1e-12 * size && point.force[0] != 0.0 {
+                let [r, z] = point.at;
+                if kinematics.is_revolved() && r.abs() <= 1e-12 * r.hypot(z) && point.force[0] != 0.0 {
                     return refuse("a force on the axis of revolution along what is held there");
                 }
             }

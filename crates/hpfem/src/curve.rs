@@ -25,6 +25,9 @@ const ALIKE: f64 = 1e-7;
 /// Halvings of a curve whose speed is not smooth, as at a cusp.
 const HALVINGS: usize = 12;
 
+/// Parts of a curve between [`Curve::between_ends`].
+const LOOKED_AT: u32 = 32;
+
 /// A plane curve with a parameter `t` in `[-1, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -215,6 +218,11 @@ impl Curve {
                 Curve::Polynomial { start: end, end: start, modes }
             }
         }
+    }
+
+    /// Places between the ends, evenly in the parameter, at which what may be wrong somewhere on the curve is looked for.
+    pub(crate) fn between_ends(&self) -> impl Iterator<Item = [f64; 2]> {
+        (1..LOOKED_AT).map(|k| self.point(2.0 * f64::from(k) / f64::from(LOOKED_AT) - 1.0))
     }
 
     /// Position and derivative at `t` at once, up to round-off those of [`Curve::point`] and [`Curve::derivative`].

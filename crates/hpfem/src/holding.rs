@@ -151,9 +151,6 @@ impl Given<'_> {
     }
 }
 
-/// Places on an edge, beside its ends, at which a displacement is looked at.
-const LOOKED_AT: u32 = 32;
-
 /// The largest displacement that supports prescribe at vertices and between them, mm.
 fn largest_displacement(problem: &BodyProblem) -> Result<f64, Error> {
     let mesh = &problem.mesh;
@@ -161,8 +158,7 @@ fn largest_displacement(problem: &BodyProblem) -> Result<f64, Error> {
     for support in &problem.supports {
         for e in mesh.boundary(&support.boundary)? {
             let ends = mesh.edges[e].vertices.map(|v| mesh.vertices[v]);
-            let places = if support.varying.is_some() { 1..LOOKED_AT } else { 0..0 };
-            let between = places.map(|k| mesh.edges[e].curve.point(2.0 * f64::from(k) / f64::from(LOOKED_AT) - 1.0));
+            let between = mesh.edges[e].curve.between_ends().filter(|_| support.varying.is_some());
             for value in ends.into_iter().chain(between).map(|x| support.displacement(x)) {
                 if !value.is_finite() {
                     let quantity = format!("the displacement of support \"{}\"", support.boundary);

@@ -1,22 +1,15 @@
 //! Kept boundaries and edges that meet the axis of revolution, or would cross it.
 
 use hpfem::*;
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 /// A unit ball from its southern to its northern pole; the angles of its arcs are turned by so much.
 fn ball(turned: f64) -> Mesh {
-    let s = FRAC_1_SQRT_2;
-    let rim = [[0.0, -1.0], [0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [s, -s], [s, s]];
-    let inside = [[0.5, 0.0], [0.0, -0.5], [0.4, -0.4], [0.0, 0.5], [0.4, 0.4]];
-    let quad = |corners| Quad { corners, material: 0, layer: 0 };
-    let cells = [[1, 7, 8, 6], [7, 0, 4, 8], [8, 4, 3, 6], [1, 6, 10, 9], [6, 3, 5, 10], [9, 10, 5, 2]].map(quad);
-    let outline = [[0, 4], [4, 3], [3, 5], [5, 2]];
-    let arc = |k: usize| {
-        let [from, to] = [k as f64 - 2.0, k as f64 - 1.0].map(|f| f * FRAC_PI_4 + turned);
-        Curve::Arc { centre: [0.0; 2], radius: 1.0, from, to }
-    };
-    let curves: Vec<([usize; 2], Curve)> = outline.iter().enumerate().map(|(k, ends)| (*ends, arc(k))).collect();
-    Mesh::new([&rim[..], &inside].concat(), &cells, &curves, &outline.map(|ends| (ends, "s"))).unwrap()
+    let triangle = |a, b| Quad { corners: [0, a, b, b], material: 0, layer: 0 };
+    let arc = |from: f64, to: f64| Curve::Arc { centre: [0.0; 2], radius: 1.0, from: from + turned, to: to + turned };
+    let curves = [([1, 2], arc(-0.5 * PI, 0.0)), ([2, 3], arc(0.0, 0.5 * PI))];
+    let vertices = vec![[0.0, 0.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
+    Mesh::new(vertices, &[triangle(1, 2), triangle(2, 3)], &curves, &[([1, 2], "s"), ([2, 3], "s")]).unwrap()
 }
 
 #[test]

@@ -152,6 +152,23 @@ mod tests {
     }
 
     #[test]
+    fn corners_that_ask_for_nodes_are_those_of_a_wedge_or_a_chamfer_and_none_of_a_shape() {
+        let corners = |count: usize, curve: &dyn Fn(f64) -> f64| {
+            let (s, values) = rows(count, curve);
+            RowCurve::through(&s, &values).corners()
+        };
+        assert_eq!(corners(3, &|s| s.abs()), [-30.0, 0.0, 30.0]);
+        assert_eq!(corners(61, &|s| (s.abs() - 20.0).max(0.0)), [-30.0, -20.0, 20.0, 30.0]);
+        assert_eq!(corners(61, &|s| 0.01 * s * s), [-30.0, 30.0]);
+        // Steep at its ends, as a shape is.
+        assert_eq!(corners(61, &|s| (31.0 * 31.0 - s * s).ln()), [-30.0, 30.0]);
+        // Rows as close as those of layers, with the digits that they have.
+        let s: Vec<f64> = (-20..=20).map(|k: i32| f64::from(k.signum()) * 30.0 * 0.5_f64.powi(20 - k.abs())).collect();
+        let values: Vec<f64> = s.iter().map(|s| (1e3 * (s / 30.0).powi(2)).round()).collect();
+        assert!(RowCurve::through(&s, &values).corners().iter().all(|corner| corner.abs() == 30.0 || corner.abs() > 0.05));
+    }
+
+    #[test]
     fn every_row_is_met_and_beyond_both_ends_nothing_changes() {
         let (s, values) = rows(23, |s| (0.7 * s).sin() + if s > 3.0 { 2.0 } else { 0.0 });
         let through = RowCurve::through(&s, &values);
