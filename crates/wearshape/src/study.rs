@@ -5,7 +5,7 @@ use scene::Fault;
 use shapeopt::{Measure, difference_of_gaps};
 
 use crate::bodies::Bodies;
-use crate::effort::{Clock, Effort};
+use crate::effort::Effort;
 use crate::ladder::errors;
 use crate::options::{CURVE, Options, Sampling, trapezoid_weights};
 use crate::problem::Problem;
@@ -140,22 +140,24 @@ struct Solved {
 }
 
 /// Solves a problem on every degree and compares each level with the truth: the one given, or the finest level. `at` is the problem on the
-/// fixed discretisation of a degree, without the proof of its shape.
+/// fixed discretisation of a degree, without the proof of its shape. Each degree is solved alone, at the places of the truth, whatever the options say
+/// of that.
 ///
 /// # Errors
 /// Those of `at` and of [`solve`](crate::solve); a level without an answer, and one that was cut short.
 pub fn study(
     at: &dyn Fn(usize) -> Result<Problem, Fault>,
     given: Option<Truth>,
-    clock: Clock,
+    options: &Options<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Vec<Level>, Unstudied> {
     let finest = DEGREES[DEGREES.len() - 1];
+    let of_level = |sampling| Options { sample: Some(sampling), alone: true, ..*options };
     let (truth, mut finest_level) = match given {
         Some(truth) => (truth, None),
         None => {
             let problem = at(finest)?;
-            let level = solve_degree(&problem, finest, CURVE, clock, watch)?;
+            let level = solve_degree(&problem, finest, &of_level(CURVE), watch)?;
             (level.truth.clone(), Some((problem, level)))
         }
     };
@@ -163,15 +165,15 @@ pub fn study(
     let mut solved = Vec::new();
     let mut problem = None;
     for degree in DEGREES {
-        let (of_level, level) = match finest_level.take_if(|_| degree == finest) {
+        let (of_degree, level) = match finest_level.take_if(|_| degree == finest) {
             Some(level) => level,
             None => {
                 let problem = at(degree)?;
-                let level = solve_degree(&problem, degree, Sampling::At(&truth.s), clock, watch)?;
+                let level = solve_degree(&problem, degree, &of_level(Sampling::At(&truth.s)), watch)?;
                 (problem, level)
             }
         };
-        problem = Some(of_level);
+        problem = Some(of_degree);
         solved.push(level);
     }
     let Some(problem) = problem else { return Ok(Vec::new()) };
@@ -186,15 +188,8 @@ pub fn study(
     Ok(rows.collect())
 }
 
-fn solve_degree(
-    problem: &Problem,
-    degree: usize,
-    sampling: Sampling<'_>,
-    clock: Clock,
-    watch: &mut Watch<'_>,
-) -> Result<Solved, Unstudied> {
-    let options = Options { sample: Some(sampling), alone: true, clock, ..Options::default() };
-    let solution = solve(problem, &options, &Bodies::default(), watch)?;
+fn solve_degree(problem: &Problem, degree: usize, options: &Options<'_>, watch: &mut Watch<'_>) -> Result<Solved, Unstudied> {
+    let solution = solve(problem, options, &Bodies::default(), watch)?;
     let status = solution.status;
     if status == Status::Interrupted {
         return Err(Unstudied::Interrupted);

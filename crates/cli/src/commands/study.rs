@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use report::{Axis, LinePlot, Series, line_plot, numbers_row, table};
 use scene::{Document, Fault, Place};
-use wearshape::{DEGREES, Event, Measure, Problem, Quantity, Status, Step, StudyLevel, Truth, Unstudied, outermost, study};
+use wearshape::{
+    DEGREES, Event, Measure, Options, Problem, Quantity, Status, Step, StudyLevel, Truth, Unstudied, outermost, study,
+};
 
 use crate::again::again;
 use crate::args::{Common, Points, StudyArgs};
@@ -222,6 +224,7 @@ fn levels(args: &StudyArgs, source: &Source, truth: Option<Truth>) -> Result<Vec
         source.problem(&settings).map(|(_, problem)| problem)
     };
     let progress = Progress::new(&args.common);
+    let options = Options { clock: seconds, ending: &interrupt::asked, ..Options::default() };
     let mut degrees = 0;
     let mut watch = |event: Event<'_>| {
         if let Event::Level { degree, .. } = event {
@@ -231,7 +234,7 @@ fn levels(args: &StudyArgs, source: &Source, truth: Option<Truth>) -> Result<Vec
         if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     // A level that was cut short may be at fault for that alone.
-    study(&at, truth, seconds, &mut watch).map_err(|why| if interrupt::asked() { Unstudied::Interrupted } else { why })
+    study(&at, truth, &options, &mut watch).map_err(|why| if interrupt::asked() { Unstudied::Interrupted } else { why })
 }
 
 /// How an interrupted study begins again: its levels are compared with the finest one, so that none is of use alone.

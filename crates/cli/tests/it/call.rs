@@ -84,6 +84,13 @@ impl Bench {
     }
 }
 
+/// Presses Ctrl-C in a call that goes on. The signal is there at once: starting `kill` may take longer than what is to be interrupted.
+#[cfg(unix)]
+pub(crate) fn press_ctrl_c(child: &Child) {
+    use rustix::process::{Pid, Signal, kill_process};
+    kill_process(Pid::from_child(child), Signal::INT).unwrap();
+}
+
 /// SHA-256 of a text.
 pub(crate) fn sha256(text: &str) -> String {
     use sha2::Digest;

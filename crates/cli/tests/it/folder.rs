@@ -157,7 +157,8 @@ fn a_folder_has_a_name_and_links_lead_somewhere() {
 #[test]
 fn of_two_calls_into_one_folder_one_wins_and_the_other_says_so() {
     let bench = Bench::new();
-    let slow = "run punch-wear --set mesh.degree=12 --set wear.until=1000 --set contact.shear=false -q -o c";
+    let slow =
+        "run punch-wear --set mesh.degree=12 --set accuracy=1e-8 --set wear.until=1000_s --set contact.shear=false -q -o c";
     let mut first = bench.start(slow);
     while !bench.path("c.partial/scene.resolved.toml").exists() {
         assert_eq!(first.try_wait().unwrap(), None, "it was over before another could begin");
@@ -181,7 +182,7 @@ fn of_two_calls_into_one_folder_one_wins_and_the_other_says_so() {
 #[test]
 fn a_partial_folder_whose_scene_is_changed_meanwhile_is_not_finished() {
     let bench = Bench::new();
-    let mut child = bench.start("sweep drum-brake-block --set mesh.degree=4 --over contact.friction=0:.4:60 -q -o x");
+    let mut child = bench.start("sweep drum-brake-block --set mesh.degree=4 --over contact.friction=0:.4:500 -q -o x");
     while !bench.path("x.partial/sweep.jsonl").exists() {
         assert_eq!(child.try_wait().unwrap(), None);
         std::thread::sleep(std::time::Duration::from_micros(200));

@@ -1,7 +1,7 @@
 //! Runs in time that break off: killed, interrupted, with a torn recording. Continued they end with the same bytes.
 
 use std::path::Path;
-use std::process::{Child, Command};
+use std::process::Child;
 use std::time::{Duration, Instant};
 
 use crate::call::{Bench, files};
@@ -60,7 +60,7 @@ fn ctrl_c_ends_with_130_and_a_run_that_can_be_continued() {
     assert_eq!(bench.call(&format!("run {SCENE} -q -o whole")).code, 0);
     let mut child = bench.start(&format!("run {SCENE} -o x"));
     assert!(grown(&mut child, &bench.path("x.partial/run.mcap"), 60_000), "the run was over before it could be interrupted");
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    crate::call::press_ctrl_c(&child);
     let output = child.wait_with_output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(130), "{said}");

@@ -238,7 +238,7 @@ fn a_scene_that_is_edited_during_its_sweep_changes_no_row() {
     let bench = Bench::new();
     assert_eq!(bench.call("new annular-punch s.toml").code, 0);
     bench.file("gap.csv", "s_mm,gap_um\n20,0\n120,1\n");
-    let mut child = bench.start("sweep s.toml --set tasks=[pressure] --over wear.b=1.05:2:640 --threads 1 -q -o x");
+    let mut child = bench.start("sweep s.toml --set tasks=[pressure] --over wear.b=1.05:2:4000 --threads 1 -q -o x");
     while !bench.path("x.partial/sweep.jsonl").exists() {
         assert_eq!(child.try_wait().unwrap(), None, "it was over before the scene could be edited");
         std::thread::sleep(std::time::Duration::from_micros(200));
@@ -246,7 +246,7 @@ fn a_scene_that_is_edited_during_its_sweep_changes_no_row() {
     bench.file("s.toml", "rubbish");
     assert_eq!(child.wait().unwrap().code(), Some(0));
     let rows = bench.read("x/sweep.jsonl");
-    assert!(rows.lines().count() == 640 && rows.lines().all(|row| row.contains("\"status\":\"ok\"")));
+    assert!(rows.lines().count() == 4000 && rows.lines().all(|row| row.contains("\"status\":\"ok\"")));
 }
 
 #[cfg(unix)]
