@@ -117,6 +117,8 @@ pub enum Cut<'a> {
     Shifted,
     /// Also at ends of contact, given by their place `t` from -1 to 1: `from + (1 + t) / 2 (to - from)`, with layers around them.
     Ends(&'a [f64]),
+    /// Also at ends of contact and corners of the gap, given alike, with as many layers around each as around singular points.
+    Corners(&'a [f64]),
     /// Also at places, given alike and ascending, that ends of contact pass as the bodies wear; the first and the last are where they end, with layers.
     Passed(&'a [f64]),
 }
@@ -125,7 +127,7 @@ impl<'a> Cut<'a> {
     /// The ends of contact, and the places that they pass; none of the other cuts.
     pub fn ends(self) -> &'a [f64] {
         match self {
-            Cut::Ends(ends) | Cut::Passed(ends) => ends,
+            Cut::Ends(ends) | Cut::Corners(ends) | Cut::Passed(ends) => ends,
             Cut::Plain | Cut::Shifted => &[],
         }
     }
@@ -135,6 +137,7 @@ impl<'a> Cut<'a> {
     pub fn at(self, places: &'a [f64]) -> Cut<'a> {
         match self {
             Cut::Ends(_) => Cut::Ends(places),
+            Cut::Corners(_) => Cut::Corners(places),
             Cut::Passed(_) => Cut::Passed(places),
             Cut::Plain | Cut::Shifted => self,
         }

@@ -16,7 +16,7 @@ use crate::slender_ends;
 use crate::template::{at_corners, coarse, contact_cuts};
 
 /// The meshes of body 1 and body 2, with so many `layers` of cells around each singular point, whose sizes fall by [`RATIO`], and half as
-/// many around each end of contact. The edges named [`CONTACT`](crate::CONTACT) have the same break points in both.
+/// many around each end of contact, but for those given with corners of the gap. The edges named [`CONTACT`](crate::CONTACT) have the same break points in both.
 ///
 /// # Errors
 /// The fault of a body that is no body 1 or body 2 of this contact, that is too thin, or whose cells cannot be cut where the other's are.
@@ -40,7 +40,7 @@ pub fn meshes_of(
         let places = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from) - touch);
         let nodes: Vec<f64> = places.filter(|x| *x > 0.0).collect();
         disc.whole = !couple.is_revolved();
-        return disc.meshes_reaching(&nodes, to - touch, layers.div_ceil(2));
+        return disc.meshes_reaching(&nodes, to - touch, around_ends(layers, matches!(cut, Cut::Corners(_))));
     }
     coarse_meshes(given, couple, extent, cut)?.graded(layers)
 }
@@ -78,6 +78,8 @@ pub struct CoarseMeshes {
     near: Vec<f64>,
     /// Pairs of ends next to each other, from -1 to 1.
     small: Vec<[f64; 2]>,
+    /// Whether the places of the cut have as many layers as singular points.
+    corners: bool,
 }
 
 /// The meshes of [`meshes_of`] before their layers.
@@ -88,7 +90,7 @@ pub fn coarse_meshes(given: &GivenCells, couple: &Couple, extent: Extent, cut: C
     let (ends, passed) = passed(cut);
     let cut = if matches!(cut, Cut::Passed(_)) { Cut::Ends(&ends) } else { cut };
     let Split { far, near, small } = near_ends::split(cut, grown(&ends, passed), at_corners(couple, extent));
-    let cut = if near.is_empty() && small.is_empty() { cut } else { Cut::Ends(&far) };
+    let cut = if near.is_empty() && small.is_empty() { cut } else { cut.at(&far) };
     let mut middles: Vec<f64> = small.iter().map(|pair| near_ends::between(extent, *pair)).collect();
     if small.is_empty() {
         middles.extend(apart(extent, passed, &contact_cuts(couple, extent, cut, &[])));
@@ -100,7 +102,7 @@ pub fn coarse_meshes(given: &GivenCells, couple: &Couple, extent: Extent, cut: C
     };
     slender_ends::cut_beside(&mut bodies, extent, cut);
     bodies.iter_mut().for_each(|body| slender_ends::cut_beyond(body, extent, cut));
-    Ok(CoarseMeshes { bodies, extent, near, small })
+    Ok(CoarseMeshes { bodies, extent, near, small, corners: matches!(cut, Cut::Corners(_)) })
 }
 
 /// Least distance of a place that ends of contact pass from another break point, over that from the next such place.
@@ -111,7 +113,7 @@ fn passed(cut: Cut<'_>) -> (Vec<f64>, &[f64]) {
     match cut {
         Cut::Passed([first, passed @ .., last]) => (vec![*first, *last], passed),
         Cut::Passed(ends) => (ends.to_vec(), &[]),
-        Cut::Plain | Cut::Shifted | Cut::Ends(_) => (Vec::new(), &[]),
+        Cut::Plain | Cut::Shifted | Cut::Ends(_) | Cut::Corners(_) => (Vec::new(), &[]),
     }
 }
 
@@ -166,8 +168,14 @@ impl CoarseMeshes {
         if free.is_empty() {
             return Ok(mesh);
         }
-        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| too_many(key, layers, &error))
+        mesh.refined_towards(&free, RATIO, around_ends(layers, self.corners)).map_err(|error| too_many(key, layers, &error))
     }
+}
+
+/// Layers around ends of contact, where singular points have so many: the pressure falls there as a root, which takes half of them; under a corner of the
+/// gap it is infinite.
+fn around_ends(layers: usize, corners: bool) -> usize {
+    if corners { layers } else { layers.div_ceil(2) }
 }
 
 /// The fault of a mesh that has cells before it is graded, and none that are sound after: they are too small for their coordinates.

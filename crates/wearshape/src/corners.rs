@@ -23,7 +23,7 @@ impl Stage<'_> {
     /// The nodes of a cut and those on corners of the gap; none of a gap without, or of cuts that leave them out.
     pub(crate) fn with_corners(&self, cut: Cut<'_>) -> Option<Vec<f64>> {
         let corners = match cut {
-            Cut::Plain | Cut::Ends(_) => self.corners(),
+            Cut::Plain | Cut::Ends(_) | Cut::Corners(_) => self.corners(),
             Cut::Shifted | Cut::Passed(_) => Vec::new(),
         };
         let apart = |corner: &&f64| cut.ends().iter().all(|end| (end - **corner).abs() > NEAR);

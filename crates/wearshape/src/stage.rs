@@ -144,7 +144,7 @@ impl<'a> Stage<'a> {
 
     /// The meshes of both bodies with so many layers, cut at the corners of the gap too, where they can be.
     pub(crate) fn meshes(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
-        let with_corners = self.with_corners(cut).and_then(|nodes| self.meshes_at(layers, Cut::Ends(&nodes)).ok());
+        let with_corners = self.with_corners(cut).and_then(|nodes| self.meshes_at(layers, Cut::Corners(&nodes)).ok());
         with_corners.map_or_else(|| self.meshes_at(layers, cut), Ok)
     }
 
@@ -155,7 +155,7 @@ impl<'a> Stage<'a> {
         let kept = match cut {
             Cut::Plain => Some(Cut::Plain),
             Cut::Shifted => Some(Cut::Shifted),
-            Cut::Ends(_) | Cut::Passed(_) => None,
+            Cut::Ends(_) | Cut::Corners(_) | Cut::Passed(_) => None,
         };
         if !self.couple.bodies.iter().any(Body::is_given) {
             return meshes(self.couple, self.extent, layers, cut);
