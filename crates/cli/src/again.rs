@@ -23,7 +23,7 @@ pub(crate) fn again(words: &[&str], (common, points): (&Common, &Points), kept: 
 }
 
 /// A word as a shell takes it.
-fn quoted(word: &str) -> String {
+pub(crate) fn quoted(word: &str) -> String {
     let plain = word.chars().all(|c| c.is_ascii_alphanumeric() || "=._-,/:+%@".contains(c));
     if plain { word.to_string() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }

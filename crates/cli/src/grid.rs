@@ -159,7 +159,10 @@ fn read_over(text: &str) -> Result<Over, Fault> {
         && let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>())
     {
         let count: usize = count.trim().parse().map_err(|_| wrong(format!("`{count}` is no number of values")))?;
-        if count == 0 || !from.is_finite() || !to.is_finite() {
+        if !from.is_finite() || !to.is_finite() {
+            return Err(wrong(format!("`{values}` has an end that is not finite")));
+        }
+        if count == 0 {
             return Err(wrong(format!("`{values}` has no values")));
         }
         return Ok(Over { key, values: Values::Range { from, to, count } });

@@ -55,7 +55,7 @@ pub(crate) struct Optimum {
 /// The optimal pressure of a problem.
 #[pyfunction]
 pub(crate) fn optimal_pressure(py: Python<'_>, given: Given) -> PyResult<Optimum> {
-    let remedy = "see the table of functionals and their needs in the documentation of wearshape.wear";
+    let remedy = "the words are told by help(wearshape.wear.optimal_pressure)";
     let functional = Functional::ALL.into_iter().find(|known| known.word() == given.functional);
     let functional =
         functional.ok_or_else(|| refused(py, "functional", format!("no functional is called {}", given.functional), remedy))?;

@@ -68,6 +68,8 @@ def test_what_no_pressure_carries_is_refused() -> None:
         ("normal", np.zeros((19, 3)), r"normal has the shape \(19, 3\)"),
         ("drag", np.full((20, 3), np.inf), r"drag\[0, 0\] = inf is not finite"),
         ("drag", 0.5 * np.asarray(arc(20).drag), r"drag\[0\] = .* is neither a unit vector nor zero"),
+        ("drag", np.asarray(arc(20).normal), r"drag\[0\] = .* is no tangent"),
+        ("weight", 1j * np.ones(20), "weight is no array of numbers: they are complex"),
         ("weight", np.linspace(1, -0.25, 20), r"weight\[16\] = .* is negative"),
         ("weight", None, "weight"),
         ("sliding_speed", np.linspace(3, -1, 20), r"sliding_speed\[15\] = .* is negative"),

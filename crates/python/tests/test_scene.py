@@ -96,6 +96,10 @@ def test_a_wrong_value_is_an_error_that_names_the_change() -> None:
 def test_a_value_that_is_none_of_tomls_is_refused() -> None:
     with pytest.raises(TypeError, match="numbers, texts"):
         wearshape.Scene("drum-brake-block").set(title=object())
+    with pytest.raises(TypeError, match="^load.force: a scene holds numbers, texts"):
+        wearshape.Scene("drum-brake-block").set({"load.force": b"10 kN"})
+    with pytest.raises(TypeError, match="^load.force: a whole number of a scene has 64 bits"):
+        wearshape.Scene("drum-brake-block").set({"load.force": 10**5000})
     with pytest.raises(TypeError, match="^a key must be a text, not 3$"):
         wearshape.Scene({3: 1})  # type: ignore[dict-item]
 

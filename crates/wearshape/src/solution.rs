@@ -149,7 +149,7 @@ pub struct RunningInStep {
     pub step: usize,
     /// Time (s).
     pub time: f64,
-    /// Pressure at the points (MPa).
+    /// Pressure at the points (MPa); NaN at one that has closed within the step with more than all that pressed before.
     pub pressure: Vec<f64>,
     /// Unloaded gap at the points (um).
     pub gap: Vec<f64>,

@@ -54,7 +54,8 @@ pub struct WearStep<'a> {
     pub linear_solves: usize,
     /// How far the run is, from 0 to 1, about.
     pub share: f64,
-    /// The columns at the contact points.
+    /// The columns at the contact points; pressures that are none of the surface, of points that have closed within the step with more than all that
+    /// pressed before, are NaN.
     pub profile: &'a dyn Fn() -> Profile,
 }
 

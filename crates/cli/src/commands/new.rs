@@ -2,6 +2,7 @@
 
 use scene::{Fault, Place, SCENES, builtin, did_you_mean};
 
+use crate::again::quoted;
 use crate::args::NewArgs;
 use crate::exit::Exit;
 use crate::print::{print_out, talk};
@@ -28,7 +29,7 @@ pub(crate) fn run(args: &NewArgs) -> Result<Exit, Fault> {
         std::fs::File::create_new(path).and_then(|mut file| std::io::Write::write_all(&mut file, scene.text.as_bytes()));
     match written {
         Ok(()) => {
-            talk(&format!("{shown} written; next: wearshape run {shown}"));
+            talk(&format!("{shown} written; next: wearshape run {}", quoted(&shown.to_string())));
             Ok(Exit::Done)
         }
         Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 use report::SCHEMA_VERSION;
-use scene::{Document, Fault};
+use scene::{Document, Fault, Place};
 use serde_json::{Map, Value, json};
 use wearshape::{Bodies, Options, Profile, Solution, Status};
 
@@ -57,6 +57,16 @@ enum Curve {
     Absent,
 }
 
+/// A fault of a setting that comes from the grid, in the words of its `--over`.
+fn as_over(fault: Fault, args: &SweepArgs) -> Fault {
+    let Some(Place::Flag(flag)) = &fault.place else { return fault };
+    let setting = flag.strip_prefix("--set ").filter(|setting| !args.common.set.iter().any(|set| set == setting));
+    let key = |text: &str| text.split_once('=').map(|(key, _)| key.trim().to_string());
+    let of_grid = setting.and_then(key).and_then(|own| args.over.iter().find(|over| key(over).as_deref() == Some(&own)));
+    let Some(over) = of_grid else { return fault };
+    Fault { place: Some(Place::Flag(format!("--over {over}"))), ..fault }
+}
+
 /// Computes all points; writes their rows, curves and page.
 pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
@@ -65,7 +75,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let options = Options { machining: false, ..options(&args.points)? };
     let grid = Grid::read(&args.over)?;
     let source = Source::read(&args.scene)?;
-    let first = source.document(&grid.settings(0, &common.set))?;
+    let first = source.document(&grid.settings(0, &common.set)).map_err(|fault| as_over(fault, args))?;
     let count = grid.count;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-sweep", first.name)));
     if common.dry_run {
@@ -204,7 +214,8 @@ impl Sweep<'_> {
         for (key, value) in self.grid.at(point) {
             row.insert(key.into(), axis_value(&value));
             let base = self.base.get(&(key.to_string(), value.to_string())).copied();
-            let bare = || value.parse().ok().filter(|_| self.base.keys().any(|(of, _)| of == key));
+            let finite = || value.parse().ok().filter(|number: &f64| number.is_finite());
+            let bare = || finite().filter(|_| self.base.keys().any(|(of, _)| of == key));
             if let Some(base) = base.or_else(bare) {
                 row.insert(format!("{key}{BASE}"), json!(base));
             }

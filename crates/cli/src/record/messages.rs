@@ -28,7 +28,7 @@ pub(crate) struct Point {
     /// Place along z.
     #[serde(rename = "z_mm")]
     pub(crate) z: f64,
-    /// Pressure.
+    /// Pressure; left out where it is none of the surface: at a point that has closed within the step with more than all that pressed before.
     #[serde(rename = "pressure_MPa", skip_serializing_if = "Option::is_none")]
     pub(crate) pressure: Option<f64>,
     /// Shear on body 1 along tau.

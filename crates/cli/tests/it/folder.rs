@@ -153,6 +153,13 @@ fn a_folder_has_a_name_and_links_lead_somewhere() {
     assert!(bench.path("link").is_symlink() && bench.path("there/summary.json").exists());
 }
 
+#[test]
+fn the_call_after_a_new_scene_can_be_pasted_into_a_shell() {
+    let bench = Bench::new();
+    let call = bench.call_with(&["new", "disc-pad", "my pad.toml"]);
+    assert!(call.code == 0 && call.err.ends_with("next: wearshape run 'my pad.toml'\n"), "{}", call.err);
+}
+
 #[cfg(unix)]
 #[test]
 fn of_two_calls_into_one_folder_one_wins_and_the_other_says_so() {

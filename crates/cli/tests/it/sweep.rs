@@ -114,6 +114,29 @@ fn a_wrong_grid_is_refused() {
         assert_eq!(call.code, 2, "{over}");
         assert!(call.err.contains("--over") && call.err.contains("remedy: "), "{over}: {}", call.err);
     }
+    for (over, message) in [
+        ("load.force=1e400:2:3", "`1e400:2:3` has an end that is not finite"),
+        ("load.force=1:2:0", "`1:2:0` has no values"),
+        ("foo.bar=a,b", "unknown key `foo`"),
+    ] {
+        let call = bench.call(&format!("sweep annular-punch --over {over}"));
+        assert!(call.err.starts_with(&format!("error: {message}\n--> --over {over}\n")), "{}", call.err);
+    }
+    // A wrong --set beside it keeps its own name.
+    let call = bench.call("sweep annular-punch --set foo.bar=a --over wear.b=1,2");
+    assert!(call.err.contains("--> --set foo.bar=a\n"), "{}", call.err);
+}
+
+/// A value that is no number is none in its units either; its point is told as invalid.
+#[test]
+fn a_value_that_is_no_number_has_an_empty_cell_in_base_units() {
+    let bench = Bench::new();
+    let args = ["sweep", "drum-brake-block", "--set", "tasks=[pressure]", "--over", "load.force=1 kN,nan", "-q", "-o", "x"];
+    assert_eq!(bench.call_with(&args).code, 1, "a point is invalid");
+    let table = bench.read("x/sweep.csv");
+    let rows: Vec<&str> = table.lines().collect();
+    assert!(rows[1].starts_with("1 kN,1000,ok,") && rows[2].starts_with("nan,,invalid,"), "{table}");
+    assert!(!bench.read("x/sweep.jsonl").contains("null"));
 }
 
 #[test]

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from wearshape._error import Error
 
-#: Largest difference of the length of a unit vector from 1.
-_UNIT = 1e-6
+#: Largest difference of the length of a unit vector from 1, and of a tangent from a right angle.
+UNIT = 1e-6
 
 
 def instance(name: str, value: Any, kinds: type | tuple[type, ...], wanted: str) -> None:
@@ -41,7 +41,7 @@ def sample(value: int | None) -> None:
 def number(name: str, value: Any) -> float:
     """A number, as Python has it; a text is none."""
     try:
-        if not isinstance(value, (str, bytes)):
+        if not isinstance(value, (str, bytes, complex)):
             return float(value)
     except (TypeError, ValueError):
         pass
@@ -61,7 +61,10 @@ def array(name: str, values: Any, shape: tuple[int | None, ...]) -> NDArray[np.f
     shown = f"({', '.join('n' if length is None else str(length) for length in shape)}{',' if len(shape) == 1 else ''})"
     remedy = f"give an array of the shape {shown}"
     try:
-        numbers = np.asarray(values, dtype=np.float64)
+        given = np.asarray(values)
+        if np.iscomplexobj(given):
+            raise TypeError("they are complex")
+        numbers = given.astype(np.float64, copy=False)
     except (TypeError, ValueError) as error:
         raise Error(f"{name} is no array of numbers: {error}", "shape", name, remedy) from error
     if len(numbers.shape) != len(shape) or any(wanted not in (None, found) for found, wanted in zip(numbers.shape, shape, strict=True)):
@@ -81,6 +84,6 @@ def refused(name: str, values: NDArray[np.float64], wrong: NDArray[np.bool_], wh
 def units(name: str, vectors: NDArray[np.float64], *, or_zero: bool = False) -> None:
     """Refuses vectors, along the last axis, that have not the length 1."""
     lengths = np.linalg.norm(vectors, axis=-1)
-    wrong = (np.abs(lengths - 1) > _UNIT) & ~(or_zero & (lengths == 0))
+    wrong = (np.abs(lengths - 1) > UNIT) & ~(or_zero & (lengths == 0))
     kind = "neither a unit vector nor zero" if or_zero else "no unit vector"
     refused(name, vectors, np.asarray(wrong), f"is {kind}", "give vectors of the length 1")

@@ -70,6 +70,14 @@ class Level(NamedTuple):
     about_seconds: float
 
 
+def _setting(key: str, value: Any) -> str:
+    """A setting of the command; what a scene cannot hold is refused by its key."""
+    try:
+        return f"{key}={toml(value)}"
+    except TypeError as error:
+        raise TypeError(f"{key}: {error}") from None
+
+
 class Scene:
     """A scene: two bodies, how they touch, slide and wear, and what is wanted of them.
 
@@ -143,7 +151,7 @@ class Scene:
         if changes is not None:
             arguments.instance("changes", changes, Mapping, "a mapping of keys to values")
         keys = {**(changes or {}), **more}
-        settings = tuple(f"{key}={toml(value)}" for key, value in keys.items())
+        settings = tuple(_setting(key, value) for key, value in keys.items())
         other = object.__new__(Scene)
         return other._made(self._file, self._text, self._settings + settings, (self._folder, self._beside))
 

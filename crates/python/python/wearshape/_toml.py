@@ -20,14 +20,20 @@ def toml(value: Any) -> str:
     if isinstance(value, (str, PurePath)):
         return json.dumps(str(value), ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, int):
-        return str(value)
+        return _whole(value)
     if isinstance(value, float):
         return "nan" if math.isnan(value) else "inf" if value == math.inf else "-inf" if value == -math.inf else repr(value)
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{_key(key)} = {toml(item)}" for key, item in value.items()) + " }" if value else "{}"
-    if isinstance(value, Iterable):
+    if isinstance(value, Iterable) and not isinstance(value, (bytes, bytearray, memoryview)):
         return "[" + ", ".join(map(toml, value)) + "]"
     raise TypeError(f"a scene holds numbers, texts, true and false, lists and tables, not {value!r}")
+
+
+def _whole(value: int) -> str:
+    if not -(2**63) <= value < 2**63:
+        raise TypeError("a whole number of a scene has 64 bits at most; write a larger one as a float")
+    return str(value)
 
 
 def document(scene: Mapping[str, Any]) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from wearshape import _core
-from wearshape._arguments import array, finite, instance, number, refused, units
+from wearshape._arguments import UNIT, array, finite, instance, number, refused, units
 from wearshape._table import numbers
 
 __all__ = ["Law", "Optimum", "Press", "Surface", "Tilt", "optimal_pressure"]
@@ -167,6 +167,8 @@ def _columns(surface: Surface) -> tuple[NDArray[np.float64], dict[str, NDArray[n
     }
     units("normal", columns["normal"])
     units("drag", columns["drag"], or_zero=True)
+    along = np.abs((columns["drag"] * columns["normal"]).sum(axis=1))
+    refused("drag", columns["drag"], along > UNIT, "is no tangent", "give vectors at right angles to the normals")
     for name in ("weight", "sliding_speed"):
         refused(name, columns[name], columns[name] < 0, "is negative", "give 0 or more")
     return position, columns

@@ -275,7 +275,7 @@ impl Setting<'_> {
         let imbalance = imbalance(&told.reactions, [None, Some(self.copies() * found.force[1])], None);
         let touches = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let reported = found.counter.clone().map(|counter| {
-            let states = [found.shaped.clone(), counter];
+            let states = [rows.held(), counter];
             Reported {
                 level,
                 ends: Vec::new(),

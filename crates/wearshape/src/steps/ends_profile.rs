@@ -1,8 +1,9 @@
 //! Columns at the points of a half-disc's contact, for the whole scene when half of it was computed.
 
 use contact::{ContactOperator, ContactPoint, ContactSolution, ContactState, Pair, Side};
+use hpfem::InterfaceState;
 use meshing::CANDIDATE;
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::options::{Sampling, trapezoid_weights};
 use crate::parts::MEAN_COLUMNS;
@@ -84,6 +85,20 @@ impl Rows<'_> {
             }
             None => 0.0,
         })
+    }
+
+    /// The state of body 1 with that motion taken out, as its columns have it.
+    pub(crate) fn held(&self) -> InterfaceState {
+        let (body, [x, z]) = (self.pair.shaped, self.rigid_motion());
+        let mut held = self.found.shaped.clone();
+        let motions = DMatrix::from_fn(3, body.rigid_motions.len(), |k, m| body.rigid_motions[m][k]);
+        // A body without free motions is held as it is.
+        if let Ok(shares) = motions.svd(true, true).solve(&DVector::from_vec(vec![x, z, 0.0]), 1e-12) {
+            for (i, unknown) in held.unknowns.iter_mut().enumerate() {
+                *unknown -= shares.iter().enumerate().map(|(m, share)| share * body.rigid_modes[(i, m)]).sum::<f64>();
+            }
+        }
+        held
     }
 
     /// Distance of a point from the middle of the contact.

@@ -1,6 +1,8 @@
 //! Displacement and stress along lines: closed forms, the fields on the cells, symmetry, and lines that leave their bodies.
 
-use wearshape::{CellField, Document, Fault, PathProfile, Problem, builtin};
+use std::ops::ControlFlow;
+
+use wearshape::{Bodies, CellField, Document, Fault, Options, PathProfile, Problem, Sampling, builtin, solve};
 
 use crate::common::{read, scene, solved};
 
@@ -90,6 +92,35 @@ fn assert_alike(name: &str, (path, k): (&PathProfile, usize), (cell, row): (&Cel
     assert_eq!(path.temperature.len() / 2, cell.temperature.len().min(1), "{name}");
     if let (Some(a), Some(b)) = (path.temperature.get(k), cell.temperature.get(row)) {
         assert!((a - b).abs() < 1e-9 * b.abs(), "{name} {a} {b}");
+    }
+}
+
+/// Rigid coordinates of body 1 are zero inside as on the surface, of round bodies too, whose lines began with the approach.
+#[test]
+fn a_line_begins_with_the_displacement_of_the_contact_surface() {
+    for name in ["hertz-cylinder", "hertz-sphere", "cattaneo-mindlin", "translating-punch", "drum-brake-block"] {
+        let z = match name {
+            "drum-brake-block" => 200.0,
+            "translating-punch" => 100.0,
+            _ => 0.0,
+        };
+        for (body, up) in [(0, 1.0), (1, -1.0)] {
+            let line = format!(
+                "output.paths=[{{ name = 'a', body = {}, from = [0, {z}], to = [0, {}], points = 2 }}]",
+                body + 1,
+                z + up
+            );
+            let problem = scene(name, &["tasks=[contact]", "mesh.degree=6", &line]);
+            let options = Options { sample: Some(Sampling::At(&[0.0])), ..Options::default() };
+            let solution = solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
+            let (inside, profile) = (solution.paths[0].displacement[0], solution.profile.unwrap());
+            let along = [profile.tangential_displacement[body][0], profile.normal_displacement[body][0]];
+            let size = 1e-9 * along[0].hypot(along[1]);
+            // What is tangential counts in the sense of the sliding, which may be against x.
+            for (inside, column) in [(inside[0].abs(), along[0].abs()), (inside[2], along[1])] {
+                assert!((1e3 * inside - column).abs() < size, "{name} body {}: {inside} mm {column} um", body + 1);
+            }
+        }
     }
 }
 

@@ -44,13 +44,13 @@ impl History {
 
     /// Pressure, in the mean where loads act by turns, and gap of every step, at places along the surface (mm).
     pub(super) fn running_in(&self, s: Vec<f64>, mean: &dyn Fn(&[f64]) -> Vec<f64>) -> RunningIn {
-        let step = |state: &WearState| RunningInStep {
+        let step = |(k, state): (usize, &WearState)| RunningInStep {
             step: state.step,
             time: state.time,
-            pressure: mean(&state.pressure),
+            pressure: mean(&of_surface(state, k.checked_sub(1).map(|k| &self.states[k]))),
             gap: state.gap.iter().map(|g| 1e3 * g).collect(),
         };
-        RunningIn { s, steps: self.states.iter().map(step).collect() }
+        RunningIn { s, steps: self.states.iter().enumerate().map(step).collect() }
     }
 
     /// Names and values of the columns of history.csv.
@@ -101,6 +101,12 @@ fn largest(state: &WearState, before: Option<&WearState>) -> f64 {
     if lasting > 0.0 { lasting } else { most(&|_| true) }
 }
 
+/// Pressures of a state (MPa), NaN where they are none of the surface: at points that have closed within the step with more than the [`largest`].
+pub(super) fn of_surface(state: &WearState, before: Option<&WearState>) -> Vec<f64> {
+    let most = largest(state, before);
+    state.pressure.iter().map(|p| if *p > most { f64::NAN } else { *p }).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,5 +121,9 @@ mod tests {
         let history =
             History { states: vec![state([5.0, 4.0, 0.0, 0.0]), state([3.0, 4.0, 9.0, 0.0]), state([0.0, 0.0, 0.0, 7.0])] };
         assert_eq!(history.columns()[4].1, [5.0, 4.0, 7.0]);
+        let running_in = history.running_in(vec![0.0; 4], &<[f64]>::to_vec);
+        assert_eq!(running_in.steps[0].pressure, [5.0, 4.0, 0.0, 0.0]);
+        assert!(running_in.steps[1].pressure[2].is_nan() && running_in.steps[1].pressure[..2] == [3.0, 4.0]);
+        assert_eq!(running_in.steps[2].pressure, [0.0, 0.0, 0.0, 7.0]);
     }
 }

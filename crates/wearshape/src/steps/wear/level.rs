@@ -19,7 +19,7 @@ use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::cycles;
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::gaps::{ApartFrom, gaps_apart, with_lowest_rigid_part};
-use crate::steps::wear::history::History;
+use crate::steps::wear::history::{History, of_surface};
 use crate::steps::wear::hot::Hot;
 use crate::steps::wear::integration_error::{integration_error, refine};
 use crate::steps::wear::mesh_lines::mesh_lines;
@@ -360,9 +360,10 @@ fn evolve(
             share: share(&state, problem),
             profile: &|| {
                 let stage = scenes.stages[problem.schedule[state.interval].stage];
-                let now = &state.pressure[..problem.points.len()];
-                let mut profile = stage.profile(scenes.pair, scenes.operator.points(), now, [None, None]);
-                fill(&mut profile, &scenes.turns(problem, &state, |pressure| pressure.to_vec()));
+                let now = WearState { pressure: of_surface(&state, history.states.last()), ..state.clone() };
+                let pressure = &now.pressure[..problem.points.len()];
+                let mut profile = stage.profile(scenes.pair, scenes.operator.points(), pressure, [None, None]);
+                fill(&mut profile, &scenes.turns(problem, &now, |pressure| pressure.to_vec()));
                 profile.gap = state.gap.iter().map(|g| 1e3 * g).collect();
                 profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
                 profile
