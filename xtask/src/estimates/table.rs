@@ -60,6 +60,6 @@ pub(super) fn page(text: &str) -> String {
          materials and friction, at a fixed degree from 5 to 11 and any number of layers up to two more; the truth is the same four degrees higher, \
          where its own estimate is at most a tenth of the error. Pressures are compared away from ends of contact inside the surface, by more than the \
          distance of two samples: there they go like a square root, and a sample stands for what it is not. Energies are those \
-         of each body. An estimate that is too large costs time, one that is too small is wrong: none may be passed by more than 5 times.\n\n{text}"
+         of both bodies together. An estimate that is too large costs time, one that is too small is wrong: none may be passed by more than 5 times.\n\n{text}"
     )
 }
