@@ -166,19 +166,12 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// A level, with its degree in all cells where heat moves the ends of contact over them as the bodies wear: levels whose degrees are alike somewhere
-    /// would agree on what all of them are off by.
-    fn everywhere(&self, level: Level) -> Level {
-        let Problem { plan, heat, .. } = self.problem;
-        if heat.is_some() && plan.runs(Step::Evolution) { level.evenly() } else { level }
-    }
-
     /// Meshes, supports and loads of both bodies.
     pub(crate) fn parts(&self, level: Level, cut: Cut<'_>) -> Result<(Parts, Effort), Fault> {
         let mut effort = Effort::default();
         (self.options.begun)(Step::Mesh);
         let parts = effort.timed(Step::Mesh, self.clock(), |_| {
-            Parts::new(self.couple, self.meshes(level.layers, cut)?, self.everywhere(level), self.meeting())
+            Parts::new(self.couple, self.meshes(level.layers, cut)?, level, self.meeting())
         })?;
         Ok((parts, effort))
     }

@@ -116,3 +116,18 @@ fn a_run_whose_contact_has_filled_the_surface_is_as_accurate_as_its_levels_say()
         (coarse.error.as_ref().unwrap().gap_relative.unwrap(), apart(&coarse, &run("mesh={ degree = 12, layers = 12 }")));
     assert!(off < told && told < 1e-4, "{off:e} where {told:e} is told");
 }
+
+/// A punch under a moment touches in part until it has worn: where the steps were as fine as the accuracy alone had them, levels differed by those of each,
+/// and a run to 1e-3 told 1.4e-2 after seven of them.
+#[test]
+fn a_contact_that_grows_over_its_surface_has_steps_as_fine_as_its_accuracy_asks_for() {
+    let worn = |how: &str| {
+        let wear = "wear={k=[1e-7,0],a=1,b=1,counterface='fresh',until='300 s'}";
+        sampled("punch-wear", &["load.moment=12000", wear, how])
+    };
+    let (run, fine) = (worn("accuracy=1e-3"), worn("mesh={ degree = 12, layers = 8 }"));
+    assert_eq!(run.status, Status::Ok, "{:?}", run.reason);
+    let told = run.error.as_ref().unwrap().gap_relative.unwrap();
+    let off = apart(&run, &fine);
+    assert!(off < told && told < 1e-3, "{off:e} {told:e}");
+}

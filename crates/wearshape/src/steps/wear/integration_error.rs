@@ -11,15 +11,24 @@ use crate::steps::wear::ran::MOST_STEPS;
 use crate::steps::wear::run::Run;
 use crate::watch::FinishedLevel;
 
-/// Part of the accuracy that the steps may take where the contact grows: levels are apart by what it is on each of them.
-const GROWING: f64 = 0.1;
+/// Part of the accuracy that the steps may take where ends of contact move: levels are apart by what it is on each of them.
+const MOVING: f64 = 0.1;
+/// The least part of the error of the first level's steps that finer ones are to leave where the contact is open in part: there the cells leave more.
+const FINER: f64 = 0.1;
 
-/// Makes the steps of a contact that grows as fine as the first level says that they have to be. What they leave wrong is then at least what is
-/// expected of steps that much finer, and the second level measures it; without finer steps it is what the first level knows.
+/// Makes the steps of a contact that grows, or that is open in part on its way, as fine as the first level says that they have to be. What they leave
+/// wrong is then at least what is expected of steps that much finer, and the second level measures it; without finer steps it is what the first level
+/// knows.
 pub(super) fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[FinishedLevel]) -> (f64, Option<Option<f64>>) {
     let known = |level: usize| finished.get(level).map(|level| level.integration_error);
-    let wanted = GROWING * stage.accuracy();
-    let Some(first) = known(0).flatten().filter(|error| problem.growing && *error > wanted) else { return (0.0, known(0)) };
+    let goal = stage.problem.wear.until.is_some() && stage.problem.wanted.fixed.is_none();
+    let opened = goal && finished.first().is_some_and(|first| first.partial);
+    let Some(first) = known(0).flatten().filter(|_| problem.growing || opened) else { return (0.0, known(0)) };
+    let most = if problem.growing { 0.0 } else { FINER * first };
+    let wanted = (MOVING * stage.accuracy()).max(most);
+    if first <= wanted {
+        return (0.0, known(0));
+    }
     if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
         *accuracy *= wanted / first;
     }
