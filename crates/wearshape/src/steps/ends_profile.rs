@@ -91,8 +91,10 @@ impl Rows<'_> {
     pub(crate) fn held(&self) -> InterfaceState {
         let (body, [x, z]) = (self.pair.shaped, self.rigid_motion());
         let mut held = self.found.shaped.clone();
+        if body.rigid_motions.is_empty() {
+            return held;
+        }
         let motions = DMatrix::from_fn(3, body.rigid_motions.len(), |k, m| body.rigid_motions[m][k]);
-        // A body without free motions is held as it is.
         if let Ok(shares) = motions.svd(true, true).solve(&DVector::from_vec(vec![x, z, 0.0]), 1e-12) {
             for (i, unknown) in held.unknowns.iter_mut().enumerate() {
                 *unknown -= shares.iter().enumerate().map(|(m, share)| share * body.rigid_modes[(i, m)]).sum::<f64>();

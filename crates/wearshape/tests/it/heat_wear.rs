@@ -199,7 +199,6 @@ fn a_hot_run_that_ends_on_the_way_is_told_by_the_larger_of_two_differences() {
     assert!(matches!(estimates[..], [None, None, Some(last)] if last >= 0.99 * told), "{estimates:?} {told:e}");
 }
 
-/// The lining is hottest at the start, where it touches at its ends alone.
 /// Ends of contact pass over the cells in the midst of the surface: where these had six degrees on every level, all agreed on what was wrong by 2e-3, and told
 /// 1.6e-4.
 #[test]
@@ -215,6 +214,7 @@ fn a_hot_run_over_whose_cells_the_contact_grows_tells_what_a_finer_one_differs_b
     assert!(apart < told && told < 3e-3, "{apart:e} {told:e}");
 }
 
+/// The lining is hottest at the start, where it touches at its ends alone.
 #[test]
 fn a_material_that_is_too_hot_on_the_way_is_told_of() {
     let lining = "body1.geometry.blocks.materials.lining.temperature_limit";
