@@ -1,8 +1,8 @@
 //! Meshes with nodes at ends of contact that only a run itself finds: one that ends on the way, where no steady pressure says where they go.
 
 use crate::ladder::Refusal;
-use crate::level::Level;
 use crate::stage::Stage;
+use crate::steps::wear::integration_error::opens;
 use crate::steps::wear::level::{self, Known, Mesh, Unfinished};
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::ran::Ran;
@@ -17,7 +17,8 @@ pub(super) fn run(
     watch: &mut Watch<'_>,
 ) -> Result<Result<(FinishedLevel, Ran), Unfinished>, Refusal> {
     let finished = known.finished;
-    let mesh = Mesh { level: everywhere(stage, mesh.level, finished), ..mesh };
+    // Levels whose degrees are alike in cells that ends of contact pass over would agree on what all of them are off by.
+    let mesh = if opens(stage, pieces.problems.len(), finished) { Mesh { level: mesh.level.evenly(), ..mesh } } else { mesh };
     let found = if mesh.known.is_empty() { nodes(stage, finished) } else { &[] };
     if found.is_empty() {
         return level::run(stage, pieces, mesh, known, watch);
@@ -33,14 +34,6 @@ pub(super) fn run(
         }
     }
     Ok(done)
-}
-
-/// A level of a run, with its degree in all cells where the first one had a part of the surface open on the way: ends of contact have passed over them,
-/// and levels whose degrees are alike somewhere would agree on what all of them are off by. What is steady knows nothing of the way, and a contact that grows from a
-/// point has its cells where it goes.
-fn everywhere(stage: Stage<'_>, level: Level, finished: &[FinishedLevel]) -> Level {
-    let on_the_way = stage.problem.wear.until.is_some() && !stage.ends_move();
-    if on_the_way && finished.first().is_some_and(|first| first.partial) { level.evenly() } else { level }
 }
 
 /// The nodes of a level of such a run: where its first level, which has none, found the ends.

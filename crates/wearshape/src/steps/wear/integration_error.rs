@@ -16,13 +16,20 @@ const MOVING: f64 = 0.1;
 /// The least part of the error of the first level's steps that finer ones are to leave where the contact is open in part: there the cells leave more.
 const FINER: f64 = 0.1;
 
+/// Whether ends of contact pass over the cells of a run: it ends on the way under its only load, and the first level had a part of the surface open. What is
+/// steady knows nothing of the way, a contact that grows from a point has its cells where it goes, and loads that change may lift bodies off from wherever they
+/// are.
+pub(super) fn opens(stage: Stage<'_>, loads: usize, finished: &[FinishedLevel]) -> bool {
+    let on_the_way = stage.problem.wear.until.is_some() && !stage.ends_move() && loads == 1;
+    on_the_way && finished.first().is_some_and(|first| first.partial)
+}
+
 /// Makes the steps of a contact that grows, or that is open in part on its way, as fine as the first level says that they have to be. What they leave
 /// wrong is then at least what is expected of steps that much finer, and the second level measures it; without finer steps it is what the first level
 /// knows.
 pub(super) fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[FinishedLevel]) -> (f64, Option<Option<f64>>) {
     let known = |level: usize| finished.get(level).map(|level| level.integration_error);
-    let goal = stage.problem.wear.until.is_some() && stage.problem.wanted.fixed.is_none();
-    let opened = goal && finished.first().is_some_and(|first| first.partial);
+    let opened = stage.problem.wanted.fixed.is_none() && opens(stage, problem.stages.len(), finished);
     let Some(first) = known(0).flatten().filter(|_| problem.growing || opened) else { return (0.0, known(0)) };
     let most = if problem.growing { 0.0 } else { FINER * first };
     let wanted = (MOVING * stage.accuracy()).max(most);
