@@ -341,7 +341,7 @@ impl<'a> Stage<'a> {
 
 /// Columns of the mean displacement functionals that fix the free rigid modes, one a mode, each in turn the one of z, x,
 /// rotation that still moves.
-fn mean_columns(pair: &Pair<'_>) -> Vec<usize> {
+pub(crate) fn mean_columns(pair: &Pair<'_>) -> Vec<usize> {
     let body = pair.shaped;
     let [x, z, rotation] = MEAN_COLUMNS;
     let moves = |k: usize| body.rigid_motions.iter().any(|m| m[k] != 0.0);

@@ -3,12 +3,14 @@
 use contact::{ContactOperator, ContactPoint, ContactSolution, ContactState, Pair, Side};
 use hpfem::InterfaceState;
 use meshing::CANDIDATE;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::Vector3;
+use shapeopt::Gauge;
 
 use crate::options::{Sampling, trapezoid_weights};
 use crate::parts::MEAN_COLUMNS;
 use crate::profile::Profile;
 use crate::results::ContactResult;
+use crate::stage::mean_columns;
 use crate::steps::ends_setting::Setting;
 use crate::words::PointStatus;
 
@@ -89,17 +91,11 @@ impl Rows<'_> {
 
     /// The state of body 1 with that motion taken out, as its columns have it.
     pub(crate) fn held(&self) -> InterfaceState {
-        let (body, [x, z]) = (self.pair.shaped, self.rigid_motion());
+        let body = self.pair.shaped;
+        let on_edge = body.frame.iter().any(Option::is_some);
+        let gauge = if on_edge { Gauge::HeldEdge } else { Gauge::MeanOf(mean_columns(self.pair)) };
         let mut held = self.found.shaped.clone();
-        if body.rigid_motions.is_empty() {
-            return held;
-        }
-        let motions = DMatrix::from_fn(3, body.rigid_motions.len(), |k, m| body.rigid_motions[m][k]);
-        if let Ok(shares) = motions.svd(true, true).solve(&DVector::from_vec(vec![x, z, 0.0]), 1e-12) {
-            for (i, unknown) in held.unknowns.iter_mut().enumerate() {
-                *unknown -= shares.iter().enumerate().map(|(m, share)| share * body.rigid_modes[(i, m)]).sum::<f64>();
-            }
-        }
+        gauge.zero(body, &mut held);
         held
     }
 

@@ -31,8 +31,8 @@ pub(super) fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[Fi
     let known = |level: usize| finished.get(level).map(|level| level.integration_error);
     let opened = stage.problem.wanted.fixed.is_none() && opens(stage, problem.stages.len(), finished);
     let Some(first) = known(0).flatten().filter(|_| problem.growing || opened) else { return (0.0, known(0)) };
-    let most = if problem.growing { 0.0 } else { FINER * first };
-    let wanted = (MOVING * stage.accuracy()).max(most);
+    let least = if problem.growing { 0.0 } else { FINER * first };
+    let wanted = (MOVING * stage.accuracy()).max(least);
     if first <= wanted {
         return (0.0, known(0));
     }

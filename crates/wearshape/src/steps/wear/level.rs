@@ -244,15 +244,17 @@ impl Scenes<'_> {
             let arcs: Vec<f64> = profile.s.iter().map(|s| (s - start).clamp(0.0, length)).collect();
             fill(
                 profile,
-                &self.turns(problem, state, |pressure| arcs.iter().map(|arc| operator.pressure_at(pressure, *arc)).collect()),
+                &self.turns(problem, &state.pressure, |pressure| {
+                    arcs.iter().map(|arc| operator.pressure_at(pressure, *arc)).collect()
+                }),
             );
         }
         told
     }
 
-    /// The loads that act by turns in a state, their pressures read at other places.
-    fn turns(&self, problem: &WearProblem, state: &WearState, at: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Turn<'_>> {
-        let turns = self.stages.iter().zip(problem.pressures(&state.pressure));
+    /// The loads that act by turns, their pressures (one after the other) read at other places.
+    fn turns(&self, problem: &WearProblem, pressure: &[f64], at: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Turn<'_>> {
+        let turns = self.stages.iter().zip(problem.pressures(pressure));
         turns.map(|(stage, (pressure, share))| Turn { stage: *stage, share, pressure: at(pressure) }).collect()
     }
 
@@ -360,10 +362,10 @@ fn evolve(
             share: share(&state, problem),
             profile: &|| {
                 let stage = scenes.stages[problem.schedule[state.interval].stage];
-                let now = WearState { pressure: of_surface(&state, history.states.last()), ..state.clone() };
-                let pressure = &now.pressure[..problem.points.len()];
-                let mut profile = stage.profile(scenes.pair, scenes.operator.points(), pressure, [None, None]);
-                fill(&mut profile, &scenes.turns(problem, &now, |pressure| pressure.to_vec()));
+                let all = of_surface(&state, history.states.last());
+                let mut profile =
+                    stage.profile(scenes.pair, scenes.operator.points(), &all[..problem.points.len()], [None, None]);
+                fill(&mut profile, &scenes.turns(problem, &all, |pressure| pressure.to_vec()));
                 profile.gap = state.gap.iter().map(|g| 1e3 * g).collect();
                 profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
                 profile
