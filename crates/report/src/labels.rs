@@ -141,6 +141,7 @@ const WORDS: &[(&str, &str)] = &[
     ("error.pressure_relative", "pressure, relative"),
     ("error.energy_relative", "energy, relative"),
     ("error.twist_relative", "torque or angle of the twist, relative"),
+    ("error.p_max_relative", "largest pressure, relative"),
     ("error.ends_mm", "ends of contact"),
     ("error.stick_ends_mm", "ends of the sticking part"),
     ("error.how", "estimated from"),

@@ -13,6 +13,9 @@ pub struct ErrorResult {
     pub energy_relative: Option<f64>,
     /// Of the torque of a twist, or of its angle where the torque is given.
     pub twist_relative: Option<f64>,
+    /// Of the largest pressure of a contact: how far that of the level before is from it, or of the level beside a fixed one. Where the pressure has a peak its
+    /// largest value is known less well than the whole.
+    pub p_max_relative: Option<f64>,
     /// Largest of the ends of contact inside the surface; they may be off by more than the pressure is, where it falls slowly towards them.
     #[serde(rename = "ends_mm")]
     pub ends: Option<f64>,

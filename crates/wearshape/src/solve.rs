@@ -227,6 +227,7 @@ impl ErrorResult {
         self.pressure_relative = later.pressure_relative.or(self.pressure_relative);
         self.energy_relative = later.energy_relative.or(self.energy_relative);
         self.twist_relative = later.twist_relative.or(self.twist_relative);
+        self.p_max_relative = later.p_max_relative.or(self.p_max_relative);
         self.ends = later.ends.or(self.ends);
         self.stick_ends = later.stick_ends.or(self.stick_ends);
         self.how = later.how;

@@ -77,6 +77,12 @@ pub struct FinishedLevel {
     /// Time at its end.
     #[serde(rename = "time_s")]
     pub time: f64,
+    /// Depth at its end.
+    #[serde(rename = "depth_mm", default)]
+    pub depth: f64,
+    /// Volumes worn off both bodies at its end.
+    #[serde(rename = "volumes_mm3", default)]
+    pub volumes: [f64; 2],
     /// Time until the pressure stayed within 1 % of the steady one, if it did.
     #[serde(rename = "to_1_percent_s", default)]
     pub to_1_percent: Option<f64>,
@@ -89,6 +95,9 @@ pub struct FinishedLevel {
     /// Ends of contact inside the surface at its end, from -1 to 1 along it, of a run that ends on its way to no known place.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub ends: Vec<f64>,
+    /// Places that the ends of a contact between round bodies passed, to where they are at its end, from -1 to 1 along the surface.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub passed: Vec<f64>,
     /// Factors on the sliding speed at which the contact at its end is singular, with frictional heat alone.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub singular: Vec<f64>,

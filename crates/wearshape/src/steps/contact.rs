@@ -74,7 +74,9 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         if let Some(contact) = outcome.contact.as_mut().filter(|_| note.is_some()) {
             (contact.p_max, contact.q_max) = (None, None);
         }
-        outcome.remarks.extend(note);
+        let told = outcome.contact.as_ref().is_some_and(|contact| contact.p_max.is_some());
+        let unbounded = if told && stage.problem.load.shear_force == 0.0 { sharp_edges::unbounded(stage, closed)? } else { None };
+        outcome.remarks.extend(note.into_iter().chain(unbounded));
         all_around::refuse_full(stage, &mut outcome);
     }
     Ok((outcome, effort))
@@ -145,7 +147,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     }
     let refused = at.refused(heat.as_ref(), twist.as_ref());
     let reported = at.reported(level, &ends, twist.as_ref());
-    let twist = twist.map(|twist| twist.answer);
+    let twist = twist.map(|twist| twist.told);
     let inside = if unsettled { FreeEnds::of(&found, length).places.len() } else { ends.places.len() };
     let many = ManyEnds::of(inside, level, &effort);
     let solved = Solved {

@@ -14,6 +14,7 @@ use crate::steps::diagnosis::Diagnosis;
 use crate::steps::ends_error;
 use crate::steps::many_ends::ManyEnds;
 use crate::steps::reported::Reported;
+use crate::steps::twist::Turned;
 use crate::watch::Watch;
 
 /// Levels whose differences are believed when they say that the accuracy is out of reach; with nodes on more ends than usual further ones are dear.
@@ -33,8 +34,8 @@ pub(crate) struct Solved {
     pub told: Told,
     /// At the samples, to compare levels.
     pub pressure: Vec<f64>,
-    /// Torque or angle of a twist, to compare levels.
-    pub twist: Option<f64>,
+    /// Torques or angles of a twist, to compare levels.
+    pub twist: Option<Turned>,
     /// Error of the pressure as the embedded degree tells it, for levels without a ladder below them.
     pub embedded: Option<f64>,
     /// Whether ends of contact lie inside elements because nodes did not settle on them.
@@ -103,12 +104,11 @@ pub(crate) fn levels(
 /// (L2 over the inner 95 % of the contact), and of a twist (0 without one). With heat the ends of contact move the pressure by as much as themselves,
 /// over its length, and levels may agree by chance in one of both.
 fn distance(x: &Solved, y: &Solved) -> [f64; 3] {
-    let relative = |x: f64, y: f64| if x == y { 0.0 } else { ((x - y) / y).abs() };
     let hot = y.heat.is_some();
     let energy = if hot { 0.0 } else { apart(&x.told.energy, &y.told.energy) };
     let ends = if hot { ends_error::apart(&x.contact.ends, &y.contact.ends) } else { 0.0 };
     let pressure = relative_difference(&x.pressure, &y.pressure).max(ends);
-    [energy, pressure, x.twist.zip(y.twist).map_or(0.0, |(x, y)| relative(x, y))]
+    [energy, pressure, x.twist.as_ref().zip(y.twist.as_ref()).map_or(0.0, |(x, y)| x.apart(y))]
 }
 
 /// Differences of the energies of both bodies over the sum of these: the energy that an end of contact a little off gives to one body it takes from the
@@ -156,6 +156,8 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     };
     let ends_off = [ends_off(|contact| &contact.ends), ends_off(|contact| &contact.stick_ends)];
     let Some(last) = solved.pop() else { return Default::default() };
+    let other = beside.as_ref().or(solved.last());
+    let p_max_off = last.contact.p_max.zip(other.and_then(|other| other.contact.p_max)).map(|(p, other)| ((p - other) / p).abs());
     // Displacements are off by about what equilibrium is off by, and no series of levels tells that.
     let found = found.map(|errors| errors.map(|error| error.max(ROUND_OFF * last.imbalance)));
     // Levels may have their nodes equally far from the ends, which their differences do not tell either.
@@ -166,6 +168,7 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     }
     if found.is_some() && outcome.told.is_some() && !matches!(outcome.ended, Some((Status::Refused, _))) {
         [outcome.error.ends, outcome.error.stick_ends] = ends_off;
+        outcome.error.p_max_relative = p_max_off;
     }
     outcome.tell(found.filter(|_| ladder.is_fixed()).map(|[_, pressure, _]| pressure));
     (outcome, count - 1)
@@ -197,7 +200,7 @@ fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec
         Some([energy, pressure, twist]) => ErrorResult {
             energy_relative: Some(energy).filter(|_| !hot),
             pressure_relative: Some(pressure),
-            twist_relative: last.twist.map(|_| twist),
+            twist_relative: last.twist.as_ref().map(|_| twist),
             how: format!("{}pressure of the contact: {}", if hot { "" } else { "energy and " }, ladder.told_by(levels)),
             ..ErrorResult::default()
         },

@@ -49,13 +49,14 @@ pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Out
         // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
         if found.is_none() && trial.sought {
             let nodes = std::mem::take(&mut trial.nodes);
-            trial = Trial { stick: trial.stick, within: trial.within, ..Trial::new(setting, nodes, false) };
+            trial =
+                Trial { sticks: std::mem::take(&mut trial.sticks), within: trial.within, ..Trial::new(setting, nodes, false) };
             found = setting.position(level, &trial, &mut work)?;
         }
         let (ends, positioned) = found.ok_or_else(|| unsettled(&trial.nodes))?;
         (trial.nodes, trial.ends) = (positioned.nodes.clone(), ends);
         let solved = setting.result(level, &trial, positioned, work)?;
-        trial.stick = Twist::node(&solved.contact);
+        trial.sticks = solved.twist.as_ref().map_or_else(Vec::new, |twist| twist.nodes(&solved.contact.ends));
         trial.shift = 0.5 * solved.contact.stick_ends.iter().sum::<f64>();
         Ok((solved, Aside { nodes: trial.nodes.clone(), diagnosis: None }))
     })?;
@@ -68,8 +69,8 @@ struct Trial {
     nodes: Vec<f64>,
     /// Those that are moved, as shares of the surface.
     ends: FreeEnds,
-    /// Where the stick of a twist ended at the last level.
-    stick: Option<f64>,
+    /// Where the stick of a twist ended at the last level, after all its steps.
+    sticks: Vec<f64>,
     /// How far the zone of stick was shifted as a whole at the last level (mm).
     shift: f64,
     /// Whether the end of stick is looked for too.
@@ -87,14 +88,14 @@ impl Trial {
         let moving = if sought { &nodes[..] } else { &nodes[nodes.len() - 1..] };
         let ends = FreeEnds::near(moving.iter().map(|x| x / setting.room()).collect());
         let part = (setting.shear != 0.0 && !sought).then(|| nodes[0] / end);
-        Trial { nodes, ends, stick: None, shift: 0.0, sought, within: 0.0, part }
+        Trial { nodes, ends, sticks: Vec::new(), shift: 0.0, sought, within: 0.0, part }
     }
 
-    /// All nodes, given the places of those that are moved: a node where the stick of a twist ended at the last level stays there; one of a stick that
+    /// All nodes, given the places of those that are moved: nodes where the stick of a twist ended at the last level stay there; one of a stick that
     /// is not sought keeps its part of the contact.
     fn nodes_at(&self, moving: &[f64]) -> Vec<f64> {
         let kept = self.part.map(|part| part * moving[0]);
-        self.stick.into_iter().chain(kept).chain(moving.iter().copied()).collect()
+        self.sticks.iter().copied().chain(kept).chain(moving.iter().copied()).collect()
     }
 }
 
@@ -376,10 +377,9 @@ impl Setting<'_> {
         for profile in [&mut solved.told.profile, &mut solved.told.curve] {
             twist.fill(rows.operator, profile, 0.0);
             let at: Vec<ContactPoint> = profile.s.iter().map(|s| pair.at_arc(*s)).collect();
-            let energies = torsion::write(&pair, &twist.last.shear, &at, profile);
-            [solved.told.energy.twist1, solved.told.energy.twist2] = energies;
+            [solved.told.energy.twist1, solved.told.energy.twist2] = torsion::write(&pair, &twist.last.shear, &at, profile);
         }
-        solved.twist = Some(twist.answer);
+        solved.twist = Some(twist.told);
         solved.refused = solved.refused.take().or(twist.refused);
         Ok(())
     }

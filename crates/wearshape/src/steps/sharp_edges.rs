@@ -18,21 +18,12 @@ const MOST: usize = 16;
 /// for: the energy there goes like its size to the power `2 lambda`. `closed` tells whether the first and the last point of the surface are in contact.
 pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
     let friction = stage.friction();
-    if friction == 0.0 || stage.facing() {
+    if friction == 0.0 {
         return Ok(None);
     }
-    let level = Level { layers: 0, ..stage.problem.level(2) };
-    let (parts, _) = stage.parts(level, Cut::Plain)?;
     let mut said = Vec::new();
-    for (number, _) in closed.iter().enumerate().filter(|(_, closed)| **closed) {
-        let (x, drag) = end(stage, &parts.parts[1], number);
-        // The contact ray is the first face of the left wedge of body 1 and of the right one of body 2.
-        let Some(wedges) = wedges(stage, [&parts.parts[0], &parts.parts[1]], number) else { continue };
-        let into = if number == 0 { drag } else { -drag };
-        let on_axis = stage.couple.kinematics.is_revolved() && x == 0.0;
-        let edge = sliding_edge(&wedges[0], &wedges[1], into * friction, stage.couple.kinematics);
-        match edge.map_err(wrong_friction)? {
-            _ if on_axis || drag == 0.0 => {}
+    for Edge { x, kind, .. } in edges(stage, closed)?.into_iter().filter(|edge| edge.drag != 0.0) {
+        match kind {
             SlidingEdge::DigsIn => said.push(format!(
                 "at x = {x:.6} mm friction {friction} is beyond what any pressure with a finite force allows: the sharp edge digs in"
             )),
@@ -52,6 +43,55 @@ pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result
     let message =
         format!("{}. Layers do not resolve that: round the edge off, or take less friction.", capital(&said.join("; ")));
     Ok((!said.is_empty()).then_some(Remark { code: "edge-unresolved", message }))
+}
+
+/// Exponents of a pressure below which it is taken for bounded: it is at most 2 % larger at a billionth of the distance.
+const BOUNDED: f64 = 1e-3;
+
+/// A note on edges in contact at which the pressure has no largest value although its layers show none of that: it grows too slowly.
+pub(crate) fn unbounded(stage: Stage<'_>, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
+    let slowly = |edge: &Edge| match edge.kind {
+        SlidingEdge::Singular { lambda } if 1.0 - lambda > BOUNDED => {
+            Some(format!("d^({:.3}) towards x = {:.6} mm", lambda - 1.0, edge.x))
+        }
+        SlidingEdge::Singular { .. } | SlidingEdge::Bounded | SlidingEdge::DigsIn => None,
+    };
+    let grows: Vec<String> = edges(stage, closed)?.iter().filter_map(slowly).collect();
+    let message = format!(
+        "The pressure has no largest value: it grows like {}, with the distance d. p_max_MPa is that of the last point, and larger on finer layers; a round \
+         edge has one.",
+        grows.join(" and like ")
+    );
+    Ok((!grows.is_empty()).then_some(Remark { code: "edge-unbounded", message }))
+}
+
+/// A sharp edge at an end of the surface.
+struct Edge {
+    x: f64,
+    /// Sense of the drag there along growing x.
+    drag: f64,
+    kind: SlidingEdge,
+}
+
+/// The edges at those ends of the surface that are in contact; none on the axis of revolution, or of bodies that face each other.
+fn edges(stage: Stage<'_>, closed: [bool; 2]) -> Result<Vec<Edge>, Fault> {
+    if stage.facing() || closed == [false; 2] {
+        return Ok(Vec::new());
+    }
+    let level = Level { layers: 0, ..stage.problem.level(2) };
+    let (parts, _) = stage.parts(level, Cut::Plain)?;
+    let mut found = Vec::new();
+    for (number, _) in closed.iter().enumerate().filter(|(_, closed)| **closed) {
+        let (x, drag) = end(stage, &parts.parts[1], number);
+        // The contact ray is the first face of the left wedge of body 1 and of the right one of body 2.
+        let Some(wedges) = wedges(stage, [&parts.parts[0], &parts.parts[1]], number) else { continue };
+        let into = if number == 0 { drag } else { -drag };
+        let on_axis = stage.couple.kinematics.is_revolved() && x == 0.0;
+        let kind = sliding_edge(&wedges[0], &wedges[1], into * stage.friction(), stage.couple.kinematics);
+        let kind = kind.map_err(wrong_friction)?;
+        found.extend((!on_axis).then_some(Edge { x, drag, kind }));
+    }
+    Ok(found)
 }
 
 fn capital(text: &str) -> String {

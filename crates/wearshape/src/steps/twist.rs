@@ -16,10 +16,42 @@ pub(crate) struct Twist {
     result: TwistResult,
     /// 1 or -1: the sense in which body 2 moved past body 1 in the last step, anti-clockwise positive.
     sense: f64,
-    /// Torque or angle of the last step, whichever is not given.
-    pub answer: f64,
+    /// What levels are compared by.
+    pub told: Turned,
     /// Why there is no answer.
     pub refused: Option<String>,
+}
+
+/// What the steps of a twist come to.
+pub(crate) struct Turned {
+    /// Torque or angle of each step, whichever is not given.
+    answers: Vec<f64>,
+    /// Where the outermost zone of stick ends after each step (mm from the axis).
+    sticks: Vec<f64>,
+}
+
+/// Least distance of the end of stick of a step from the axis, the end of contact and that of another step, over the end of contact, for a node of its own.
+const APART: f64 = 0.05;
+
+impl Turned {
+    /// The largest difference of the steps over the largest answer: what stays of the slip of a step has a kink where that ended, so that one step may be
+    /// right by chance.
+    pub(crate) fn apart(&self, other: &Turned) -> f64 {
+        let largest = other.answers.iter().fold(0.0_f64, |most, answer| most.max(answer.abs()));
+        let apart = self.answers.iter().zip(&other.answers).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        if apart == 0.0 { 0.0 } else { apart / largest }
+    }
+
+    /// Places for element nodes, from the axis, in a contact with these ends: the ends of stick after all steps, of close ones the latest.
+    pub(crate) fn nodes(&self, ends: &[f64]) -> Vec<f64> {
+        let (end, mut nodes) = (ends.last().copied().unwrap_or(0.0), Vec::<f64>::new());
+        for stick in self.sticks.iter().rev() {
+            let far = nodes.iter().chain(&[0.0, end]).all(|node| (stick - node).abs() >= APART * end);
+            nodes.extend(Some(*stick).filter(|_| far));
+        }
+        nodes.sort_unstable_by(f64::total_cmp);
+        nodes
+    }
 }
 
 impl Twist {
@@ -31,11 +63,13 @@ impl Twist {
         let friction = problem.friction.coefficient;
         let limits: Vec<f64> = found.nodal_force.iter().map(|force| friction * force.max(0.0)).collect();
         let mut result = TwistResult { slip_torque: operator.slip_torque(&limits), ..TwistResult::default() };
+        let mut sticks = Vec::new();
         let mut step = |turn: Turn, slip: &[f64]| -> Result<TwistSolution, Fault> {
             let at = operator.solve(&limits, turn, slip).map_err(unsolved)?;
             if at.status.is_solved() {
                 result.angle.push(at.angle);
                 result.torque.push(at.torque);
+                sticks.extend(at.stick.last().map(|[_, to]| to));
             }
             Ok(at)
         };
@@ -61,8 +95,8 @@ impl Twist {
             }
             status => Some(status.to_string()),
         };
-        let answer = if matches!(first, Turn::Angle(_)) { last.torque } else { last.angle };
-        Ok(Some(Twist { last, result, sense, answer, refused }))
+        let answers = if matches!(first, Turn::Angle(_)) { result.torque.clone() } else { result.angle.clone() };
+        Ok(Some(Twist { last, result, sense, told: Turned { answers, sticks }, refused }))
     }
 
     /// Into the result of the contact; `start` is the surface coordinate where the path starts.
@@ -71,13 +105,6 @@ impl Twist {
         let largest = self.last.shear.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
         contact.q_max = Some(largest).filter(|_| contact.edge_exponents.is_empty());
         contact.twist = Some(self.result.clone());
-    }
-
-    /// Where the outermost zone of stick ends, if that is a place for an element node: neither at the middle nor at the end of contact.
-    pub(crate) fn node(contact: &ContactResult) -> Option<f64> {
-        contact.twist.as_ref()?;
-        let share = contact.stick_ends.last()? / contact.ends.last()?;
-        contact.stick_ends.last().copied().filter(|_| (0.05..=0.95).contains(&share))
     }
 
     /// Shear and states into the rows of a profile, which lie anywhere on the surface.

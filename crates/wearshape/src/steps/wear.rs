@@ -206,18 +206,18 @@ fn of_steps(stage: Stage<'_>, level: &Solved) -> f64 {
     level.left.integration_error.filter(|_| stage.ends_move() || on_the_way).unwrap_or(0.0)
 }
 
-/// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
-/// in no order: their differences count so many times, but where the largest of them is told. What is left out besides has its part of the accuracy ([`part_of_levels`]).
+/// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only: their
+/// differences count so many times, but where the largest of them is told. What is left out besides has its part of the accuracy ([`part_of_levels`]).
 fn apart(stage: Stage<'_>, left_out: f64) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
     let on_the_way = stage.problem.wear.until.is_some() && stage.problem.heat.is_none();
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
         let [gap, time] = distance(a, b);
         let unsettled = b.left.partial && b.left.ends.is_empty() && b.left.to_1_percent.is_none();
-        let times = match (stage.ends_move(), on_the_way && unsettled) {
-            (true, _) => 3.0,
-            (false, true) => 2.0,
-            (false, false) => 1.0,
+        let times = match (stage.facing(), stage.grows(), on_the_way && unsettled) {
+            (true, _, _) => 3.0,
+            (false, false, true) => 2.0,
+            (false, true, _) | (false, false, false) => 1.0,
         };
         // Where the wear ends a run, its time is an answer.
         let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
@@ -231,12 +231,12 @@ fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
 }
 
 /// Differences of the last levels of a run that ends on the way of which the largest is its error, where ends of contact move by heat or towards no known
-/// place: what they pass over once leaves its trace in the gap, which levels have in no order. Without heat an end may stay at the end of a cell for
-/// some levels. Nor are they in order where a wear rule bends at some pressures, wherever in the elements these are.
+/// place: what they pass over once leaves its trace in the gap, which levels have in no order; of two circles each level has nodes of its own besides.
+/// Without heat an end may stay at the end of a cell for some levels. Nor are they in order where a wear rule bends at some pressures, wherever in the elements these are.
 fn traces(stage: Stage<'_>, level: &FinishedLevel) -> Option<usize> {
     let hot = stage.problem.heat.is_some() && stage.problem.wear.until.is_some();
     let bends = !bends(stage.problem).is_empty();
-    match (hot, level.ends.is_empty()) {
+    match (hot || stage.grows(), level.ends.is_empty()) {
         (true, _) => Some(2),
         (false, false) => Some(3),
         (false, true) => bends.then_some(1),
@@ -260,12 +260,24 @@ fn with_times(stage: Stage<'_>, solved: &[Solved], left_out: f64, known: [f64; 2
     hot.map_or(known, |[_, time]| [known[0], time])
 }
 
+/// How far two levels are apart in what is worn off, which the gap does not tell where a rigid part of it is left open.
+fn worn_apart(a: &Solved, b: &Solved) -> f64 {
+    let relative = |a: f64, b: f64| if a == b { 0.0 } else { ((a - b) / b).abs() };
+    let [(before, a), (after, b)] = [a, b].map(|level| (level.left.depth, level.left.volumes));
+    a.into_iter().zip(b).fold(relative(before, after), |most, (a, b)| most.max(relative(a, b)))
+}
+
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a
-/// time what the steps leave in its depth; none before there are three levels.
-fn run_in_error(solved: &[Solved], errors: Option<[f64; 2]>) -> Option<f64> {
+/// time that of its depth and its volumes; none before there are three levels.
+fn run_in_error(ladder: &Ladder, solved: &[Solved], errors: Option<[f64; 2]>) -> Option<f64> {
     let steps = solved.last()?.left.integration_error?;
     if solved.iter().all(|level| level.left.to_1_percent.is_none()) {
-        return errors.map(|[gap, _]| gap + steps);
+        let worn = if ladder.is_fixed() {
+            ladder.error_in_time(solved, &worn_apart)
+        } else {
+            ladder.errors(solved, &|a, b| [worn_apart(a, b)]).map(|[worn]| worn)
+        };
+        return errors.zip(worn).map(|([gap, _], worn)| gap.max(worn) + steps);
     }
     let known = solved.iter().rev().take(3).all(|level| level.left.to_1_percent.is_some());
     errors.filter(|_| known).map(|[_, time]| (1.0 - STEPS) * time + steps)
@@ -318,7 +330,7 @@ fn finish((stage, pieces): (Stage<'_>, &Pieces), ladder: &Ladder, mut solved: Ve
     let steps = solved.last().map_or(0.0, |level| of_steps(stage, level));
     let error = errors.map(|[gap, _]| gap + steps);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
-    let run_in_error = run_in_error(&solved, errors);
+    let run_in_error = run_in_error(ladder, &solved, errors);
     let reported = solved.len();
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
     let failure = last.failure();
@@ -334,7 +346,7 @@ fn finish((stage, pieces): (Stage<'_>, &Pieces), ladder: &Ladder, mut solved: Ve
     let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);
     outcome.error.how = if stage.ends_move() {
-        format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
+        format!("depth worn off along the surface at the end: {}, and of the steps", ladder.told_by(levels.count))
     } else {
         let of_steps = if steps > 0.0 { ", and of the steps" } else { "" };
         format!("gap at the end: {}{of_steps}", ladder.told_by(levels.count))

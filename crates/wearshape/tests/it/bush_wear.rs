@@ -113,6 +113,29 @@ fn errors_are_within_their_estimates() {
     }
 }
 
+/// Of a knee insert whose contact grows to half as wide again: differences of levels were small by chance, 1.0e-6 told where 2.5e-6 was true.
+#[test]
+fn the_error_of_a_contact_that_grows_far_is_told() {
+    let of = |settings: [&str; 2]| {
+        let all = ["tasks=[wear]", "sliding={omega=1}", "wear={k=[1e-6,0],until=1000}", settings[0], settings[1]];
+        solved(&scene("knee", &all))
+    };
+    let [rough, fine] = [["accuracy=1e-5", "output.report=false"], ["mesh.degree=14", "mesh.layers=12"]].map(of);
+    let error = (depth(&rough) / depth(&fine) - 1.0).abs();
+    assert!(error < estimate(&rough) && estimate(&rough) < 1e-5, "{error:.1e} {:.1e}", estimate(&rough));
+}
+
+/// Nodes are at the ends where the level before has them: rough runs, whose nodes all levels had, set degrees 12 and 14 apart by 3e-5 of them.
+#[test]
+fn ends_of_a_contact_that_grows_are_those_of_its_own_levels() {
+    let of = |degree: &str| {
+        let all = ["tasks=[wear]", "sliding={omega=1}", "wear={k=[1e-6,0],until=20}", degree, "mesh.layers=14"];
+        ends(&solved(&scene("knee", &all)))
+    };
+    let [[_, coarse], [_, fine]] = ["mesh.degree=12", "mesh.degree=14"].map(of);
+    assert!((coarse / fine - 1.0).abs() < 2e-6, "{coarse} {fine}");
+}
+
 /// The wear is small against the approach, and errors count by the wear: without that, the levels of the second were 2e-4 apart by their steps alone.
 #[test]
 fn a_short_run_is_as_accurate_as_asked_for() {

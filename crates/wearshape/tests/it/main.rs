@@ -44,6 +44,7 @@ mod short_wear;
 mod spin;
 mod threshold;
 mod twist_energy;
+mod twist_history;
 mod watch;
 mod wear_law;
 mod wear_table;

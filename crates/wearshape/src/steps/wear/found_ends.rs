@@ -1,4 +1,5 @@
-//! Meshes with nodes at ends of contact that only a run itself finds: one that ends on the way, where no steady pressure says where they go.
+//! Meshes with nodes at ends of contact that only a run itself finds: one that ends on the way, where no steady pressure says where they go, or one whose
+//! contact grows, of which its own levels know more than rough runs.
 
 use crate::ladder::Refusal;
 use crate::stage::Stage;
@@ -8,7 +9,7 @@ use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::ran::Ran;
 use crate::watch::{FinishedLevel, Watch};
 
-/// One run on one level, where no ends are known with nodes where the first level, which has none, found them.
+/// One run on one level, where no ends are known with nodes where the first level, which has none, found them; where they grow, where the last one did.
 pub(super) fn run(
     stage: Stage<'_>,
     pieces: &Pieces,
@@ -19,7 +20,7 @@ pub(super) fn run(
     let finished = known.finished;
     // Levels whose degrees are alike in cells that ends of contact pass over would agree on what all of them are off by.
     let mesh = if opens(stage, pieces.problems.len(), finished) { Mesh { level: mesh.level.evenly(), ..mesh } } else { mesh };
-    let found = if mesh.known.is_empty() { nodes(stage, finished) } else { &[] };
+    let found = nodes(stage, mesh, finished);
     if found.is_empty() {
         return level::run(stage, pieces, mesh, known, watch);
     }
@@ -36,8 +37,11 @@ pub(super) fn run(
     Ok(done)
 }
 
-/// The nodes of a level of such a run: where its first level, which has none, found the ends.
-fn nodes<'a>(stage: Stage<'_>, finished: &'a [FinishedLevel]) -> &'a [f64] {
-    let found = finished.first().map_or(&[][..], |first| &first.ends);
+/// The nodes of a level of such a run: where its first level, which has none, found the ends, and of a contact that grows where the last one did.
+fn nodes<'a>(stage: Stage<'_>, mesh: Mesh<'_>, finished: &'a [FinishedLevel]) -> &'a [f64] {
+    let found = match mesh.known {
+        [] => finished.first().map_or(&[][..], |first| &first.ends),
+        _ => finished.last().map_or(&[][..], |last| &last.passed),
+    };
     if !found.is_empty() && stage.meshes(1, stage.cut(found)).is_ok() { found } else { &[] }
 }

@@ -44,6 +44,19 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
     Ok((nodes, effort))
 }
 
+/// The same nodes as the ends of contact after each step tell them (mm along the surface); none of a surface on which nothing grows.
+pub(super) fn passed(stage: Stage<'_>, ends: &[[f64; 2]]) -> Vec<f64> {
+    let (Some((touch, _)), true) = (stage.problem.gap.touch(), stage.grows()) else { return Vec::new() };
+    let mut from_touch = ends.iter().map(|ends| ends.map(|end| end - touch));
+    let Some(start) = from_touch.next() else { return Vec::new() };
+    let (mut end, mut widest) = (start, start);
+    for [from, to] in from_touch {
+        (end, widest) = ([from, to], [widest[0].min(from), widest[1].max(to)]);
+    }
+    let hertz = short_contact(stage, SHORT).map(|(end, _)| end);
+    cut(stage, &with_start(Rough { start, end, widest }, hertz))
+}
+
 /// Where the ends of contact may move that begins as short as Hertz has it, too short for a mesh that knows nothing of it.
 fn guess(hertz: f64) -> Rough {
     let end = [-hertz / SHORTEST, hertz / SHORTEST];

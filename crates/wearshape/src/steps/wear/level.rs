@@ -19,6 +19,7 @@ use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::cycles;
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::gaps::{ApartFrom, gaps_apart, with_lowest_rigid_part};
+use crate::steps::wear::grown;
 use crate::steps::wear::history::{History, of_surface};
 use crate::steps::wear::hot::Hot;
 use crate::steps::wear::integration_error::{integration_error, refine};
@@ -172,16 +173,19 @@ impl Scenes<'_> {
         let round = stage.ends_move();
         let worn: Vec<f64> = state.gap.iter().zip(&problem.gap).map(|(now, start)| now - start).collect();
         let compared = if round { &worn } else { &normalised };
-        let left = FinishedLevel {
+        let mut left = FinishedLevel {
             degree: level.degree,
             layers: level.layers,
             gap: self.samples.iter().map(|p| self.operator.value_at(compared, p.arc)).collect(),
             moved,
             time: state.time,
+            depth: state.depth,
+            volumes: state.volume,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
             partial: run.history.states.iter().any(|state| is_partial(&state.pressure)),
             ends: if mesh.known.is_empty() { self.open_ends(state) } else { Vec::new() },
+            passed: Vec::new(),
             singular: heat.as_ref().map(|told| told.singular.clone()).unwrap_or_default(),
             closing: if round { Vec::new() } else { self.samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
             wear_steps: state.step,
@@ -204,6 +208,7 @@ impl Scenes<'_> {
             let contact = RoundContact { stage, problem, places };
             let ends = contact.ends(&history);
             groove = contact.fill(&mut wear, &history, ends.last());
+            left.passed = grown::passed(stage, &ends);
             columns.extend(contact.columns(&ends));
         }
         Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, heat, reported, effort }))
