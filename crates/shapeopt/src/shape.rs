@@ -150,6 +150,9 @@ fn wrong<T>(what: &'static str) -> Result<T, Error> {
     Err(Error::ShapeInput { what })
 }
 
+/// Part of the largest motion of a mode below which it moves an edge by round-off.
+const HELD: f64 = 1e-12;
+
 impl Gauge {
     /// Whether no rigid mode of the body is left.
     fn holds(&self, body: &InterfaceOperator) -> bool {
@@ -159,8 +162,10 @@ impl Gauge {
             Gauge::MeanOf(columns) => columns.len() >= modes && columns.iter().all(|c| *c < body.columns.ncols()),
             Gauge::HeldEdge | Gauge::LoadedEdge(_) => {
                 let held: Vec<usize> = body.frame.iter().flatten().copied().collect();
-                let moved = DMatrix::from_fn(held.len(), modes, |i, m| body.rigid_modes[(held[i], m)]);
-                modes == 0 || (held.len() >= modes && moved.rank(1e-12 * moved.amax()) == modes)
+                // Far from the origin a turn about it moves by much more than it turns.
+                let largest = |m: usize| held.iter().fold(f64::MIN_POSITIVE, |most, i| body.rigid_modes[(*i, m)].abs().max(most));
+                let moved = DMatrix::from_fn(held.len(), modes, |i, m| body.rigid_modes[(held[i], m)] / largest(m));
+                modes == 0 || (held.len() >= modes && moved.rank(HELD) == modes)
             }
         }
     }

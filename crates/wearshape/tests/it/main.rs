@@ -28,6 +28,7 @@ mod hot_energy;
 mod hot_lasting;
 mod hot_shape;
 mod jumps;
+mod largest_pressure;
 mod load;
 mod on_the_way;
 mod orthotropic;

@@ -1,6 +1,6 @@
 //! The rigid motion that displacements leave out stands in the summary: opening = gap + (u1 - u2) . n with it.
 
-use wearshape::{Profile, Solution};
+use wearshape::{Profile, Solution, Status};
 
 use crate::common::{scene, solved};
 
@@ -71,4 +71,18 @@ fn a_run_in_time_tells_the_rigid_motion_between_its_gap_and_its_opening() {
         let opening = profile.gap[i] + un1 - un2 - closed;
         assert!((opening - profile.opening[i]).abs() < 1e-12, "{opening} {}", profile.opening[i]);
     }
+}
+
+/// Of a punch far from the origin a turn about that was taken for no motion of its edge, and the scene was refused for want of a rigid edge.
+#[test]
+fn a_punch_is_held_by_its_edge_wherever_it_is() {
+    let crown = |settings: &[&str]| {
+        let solution = solved(&scene("translating-punch", &[&["accuracy=1e-4", "check=false"], settings].concat()));
+        assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
+        solution.shape.unwrap().crown.unwrap()
+    };
+    let punch = "body1.geometry.rectangle={x=[999970,1000030],z=[100,200]}";
+    let far = crown(&[punch, "body2.geometry.rectangle={x=[999940,1000060],z=[0,100]}", "load.about=[1000000,100]"]);
+    let near = crown(&[]);
+    assert!((far / near - 1.0).abs() < 1e-5, "{far} {near}");
 }
