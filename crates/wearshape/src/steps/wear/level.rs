@@ -174,23 +174,15 @@ impl Scenes<'_> {
         let worn: Vec<f64> = state.gap.iter().zip(&problem.gap).map(|(now, start)| now - start).collect();
         let compared = if round { &worn } else { &normalised };
         let mut left = FinishedLevel {
-            degree: level.degree,
-            layers: level.layers,
             gap: self.samples.iter().map(|p| self.operator.value_at(compared, p.arc)).collect(),
             moved,
-            time: state.time,
-            depth: state.depth,
-            volumes: state.volume,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
-            integration_error: None,
-            partial: run.history.states.iter().any(|state| is_partial(&state.pressure)),
             ends: if mesh.known.is_empty() { self.open_ends(state) } else { Vec::new() },
-            passed: Vec::new(),
             singular: heat.as_ref().map(|told| told.singular.clone()).unwrap_or_default(),
             closing: if round { Vec::new() } else { self.samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
-            wear_steps: state.step,
             factorisations: effort.counters.factorisations,
             contact_solves: effort.counters.contact_solves,
+            ..run.left(level)
         };
         let (mut heat, at_points) = heat.map(|told| (told.result, told.heat)).unzip();
         let reported = Some(Reported { level, ends: mesh.ends.to_vec(), heat: at_points, moments });
@@ -281,11 +273,6 @@ impl Scenes<'_> {
 fn moved(state: &WearState, found: &ContactSolution) -> f64 {
     let states = [Some(&found.shaped), found.counter.as_ref()].into_iter().flatten();
     states.flat_map(|state| &state.unknowns).fold(state.depth, |most, u| most.max(u.abs()))
-}
-
-/// Whether some of the points press and some do not.
-fn is_partial(pressure: &[f64]) -> bool {
-    pressure.iter().any(|p| *p > 0.0) && pressure.iter().any(|p| *p <= 0.0)
 }
 
 fn no_contact(error: contact::Error) -> Fault {
