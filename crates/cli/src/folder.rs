@@ -60,6 +60,12 @@ impl Folder {
         }
     }
 
+    /// Refuses a target that is a folder which the call reads: it would take its place.
+    pub(crate) fn check_apart(target: &Path, read: &Path, what: &str) -> Result<(), Fault> {
+        let same = fs::canonicalize(target).is_ok_and(|there| fs::canonicalize(read).is_ok_and(|read| read == there));
+        if same { Err(refused(target, format!("is the folder of {what}, and is left as it is"))) } else { Ok(()) }
+    }
+
     /// Begins the partial folder of a scene, or with `resume` continues one of the same scene.
     pub(crate) fn begin(target: &Path, scene: &str, resume: bool) -> Result<Folder, Fault> {
         Folder::check(target)?;

@@ -74,13 +74,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let document = source.document(&common.set)?;
     let (_, problem) = source.problem(&settings(&document, &common.set))?;
     let Some(quantity) = Quantity::of(&problem) else {
-        let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
-        return Err(document.locate(Fault::at(
-            "tasks",
-            "not-available",
-            "study compares meshes, and this scene needs none",
-            remedy,
-        )));
+        return Err(document.locate(meshless(&document)));
     };
     let mut against = match &args.reference {
         None => Against { name: "the finest degree".into(), truth: None, error: None },
@@ -88,6 +82,9 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     };
     problem.available().map_err(|fault| document.locate(fault))?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name())));
+    if let Some(folder) = &args.reference {
+        Folder::check_apart(&target, folder, "--reference")?;
+    }
     if common.dry_run {
         dry_run(common, &problem, &target);
         return Ok(Exit::Done);
@@ -113,6 +110,15 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
             Err(document.locate(fault))
         }
     }
+}
+
+/// Refuses a scene whose tasks need no mesh.
+fn meshless(document: &Document) -> Fault {
+    let remedy = match document.scene.surface {
+        Some(_) => "give body1 and body2 in place of `surface`, and tasks = [\"pressure\", \"shape\"]",
+        None => "add a task with elastic bodies: --set tasks=[pressure,shape]",
+    };
+    Fault::at("tasks", "not-available", "study compares meshes, and this scene needs none", remedy)
 }
 
 /// What of the scene and the options a study does not use, with the reason.

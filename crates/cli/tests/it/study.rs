@@ -1,6 +1,6 @@
 //! `wearshape study`: error against run time.
 
-use crate::call::Bench;
+use crate::call::{Bench, files};
 
 #[test]
 fn a_study_shows_the_error_fall_and_its_estimate_follow() {
@@ -106,7 +106,26 @@ fn a_study_of_a_scene_without_a_shape_says_what_to_ask_for() {
     let bench = Bench::new();
     let call = bench.call_with(&["study", "disc-pad", "-o", "out"]);
     assert_eq!(call.code, 2);
-    assert!(call.err.contains("tasks=[pressure,shape]"), "{}", call.err);
+    // A surface alone has no shape whatever its tasks are.
+    assert!(call.err.contains("remedy: give body1 and body2") && !call.err.contains("--set"), "{}", call.err);
+    let call = bench.call("study annular-punch --set tasks=[pressure] -o out");
+    assert!(call.code == 2 && call.err.contains("--set tasks=[pressure,shape]"), "{}", call.err);
+}
+
+#[test]
+fn a_study_does_not_take_the_place_of_its_reference() {
+    let bench = Bench::new();
+    let run = bench.call("run drum-brake-block --set mesh={degree=4,layers=3} -q -o truth");
+    assert_eq!(run.code, 0, "{}", run.err);
+    let before = files(&bench.path("truth"));
+    for (folder, options) in [("truth", ""), ("x/../truth/", ""), ("./truth", "--dry-run")] {
+        std::fs::create_dir_all(bench.path("x")).unwrap();
+        let call = bench.call(&format!("study drum-brake-block --reference truth -o {folder} {options}"));
+        assert_eq!(call.code, 2, "{folder}: {}{}", call.out, call.err);
+        assert!(call.err.contains("is the folder of --reference") && call.err.contains("--> -o "), "{}", call.err);
+        assert!(call.err.contains("remedy: give another folder: -o DIR"), "{}", call.err);
+        assert!(files(&bench.path("truth")) == before && !bench.path("truth.partial").exists(), "{folder}");
+    }
 }
 
 #[test]
