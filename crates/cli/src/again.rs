@@ -15,6 +15,9 @@ pub(crate) fn again(words: &[&str], (common, points): (&Common, &Points), kept: 
     for (flag, number) in [("--sample", points.sample), ("--threads", common.threads)] {
         call.extend(number.map(|number| format!("{flag} {number}")));
     }
+    for (flag, given) in [("--json", common.json), ("--quiet", common.quiet)] {
+        call.extend(given.then(|| flag.into()));
+    }
     let call = call.join(" ");
     match kept {
         Some(kept) => format!("{kept} is kept; continue with: {call} --resume"),
@@ -34,10 +37,14 @@ mod tests {
 
     #[test]
     fn the_call_that_goes_on_can_be_pasted_into_a_shell() {
-        let common =
-            Common { set: vec!["load.force=10 kN".into(), "title=it's".into()], output: Some("x".into()), ..Common::default() };
+        let common = Common {
+            set: vec!["load.force=10 kN".into(), "title=it's".into()],
+            output: Some("x".into()),
+            json: true,
+            ..Common::default()
+        };
         let points = Points { sample: Some(11), ..Points::default() };
-        let call = r"wearshape run a.toml -o x --set 'load.force=10 kN' --set 'title=it'\''s' --sample 11";
+        let call = r"wearshape run a.toml -o x --set 'load.force=10 kN' --set 'title=it'\''s' --sample 11 --json";
         assert_eq!(again(&["run", "a.toml"], (&common, &points), None), format!("begin it again with: {call}"));
         let kept = again(&["run", "a.toml"], (&common, &points), Some("every finished step"));
         assert_eq!(kept, format!("every finished step is kept; continue with: {call} --resume"));

@@ -7,7 +7,8 @@ use report::SCHEMA_VERSION;
 use scene::{Fault, Place, did_you_mean};
 use serde_json::{Value, json};
 
-use crate::args::{Common, ReproduceArgs};
+use crate::again::again;
+use crate::args::{Common, Points, ReproduceArgs};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
@@ -35,9 +36,8 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<Exit, Fault> {
     });
     // A run that Ctrl-C has cut short is a fault of its item; nothing is wrong with it.
     if outcome.is_err() && interrupt::asked() {
-        talk(&format!(
-            "interrupted; items that are finished keep their folders, the others are computed again: wearshape reproduce {name}"
-        ));
+        let kept = if name == "all" { "items that are finished keep their folders; " } else { "" };
+        talk(&format!("interrupted; {kept}{}", again(&["reproduce", name], (&common(args), &Points::default()), None)));
         return Ok(Exit::Interrupted);
     }
     outcome
@@ -89,9 +89,15 @@ fn every(args: &ReproduceArgs, root: &Path) -> Result<Exit, Fault> {
     Ok(Exit::Done)
 }
 
+/// The options that other commands have too.
+fn common(args: &ReproduceArgs) -> Common {
+    let ReproduceArgs { item: _, output, list: _, threads, json, quiet } = args;
+    Common { output: output.clone(), threads: *threads, json: *json, quiet: *quiet, ..Common::default() }
+}
+
 /// A line that says which item is computed.
 fn busy(args: &ReproduceArgs) -> Progress {
-    Progress::new(&Common { json: args.json, quiet: args.quiet, ..Common::default() })
+    Progress::new(&common(args))
 }
 
 fn list(json: bool) {

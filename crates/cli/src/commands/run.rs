@@ -63,7 +63,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
     };
     if solution.status == Status::Interrupted {
-        let kept = live.tape.as_ref().map(|_| "every finished step");
+        let kept = live.tape.as_ref().filter(|tape| tape.holds_steps()).map(|_| "every finished step");
         live.progress.end();
         talk(&format!("interrupted; {}", again(&["run", &args.scene], (common, points), kept)));
         return Ok(Exit::Interrupted);

@@ -38,6 +38,8 @@ pub(crate) struct Tape {
     /// Steps that are not written yet, and since when.
     waiting: Vec<(Iteration, Points, State)>,
     since: Instant,
+    /// Whether a run could go on from what is recorded or waits.
+    holds_steps: bool,
 }
 
 /// How the recording of a level begins.
@@ -79,6 +81,7 @@ impl Tape {
             word = Some(said);
             replay = found.filter(|found| found.unfit(resolved).is_none());
         }
+        let holds_steps = replay.as_ref().is_some_and(|replay| !(replay.states.is_empty() && replay.levels().is_empty()));
         let tape = Tape {
             path,
             resolved: resolved.into(),
@@ -87,6 +90,7 @@ impl Tape {
             recorder: None,
             waiting: Vec::new(),
             since: Instant::now(),
+            holds_steps,
         };
         Ok((tape, word))
     }
@@ -96,6 +100,11 @@ impl Tape {
         let replay = self.replay.as_ref()?;
         let states = replay.states.iter().cloned().map(WearState::from).collect();
         Some(Resume { finished: replay.levels().to_vec(), states })
+    }
+
+    /// Whether there are finished steps, or levels, to go on from.
+    pub(crate) fn holds_steps(&self) -> bool {
+        self.holds_steps
     }
 
     /// Begins a level, or goes on with one; `mesh` and its message open a new recording.
@@ -108,6 +117,7 @@ impl Tape {
             Some(replay) => First::Replay(replay),
             None => First::Mesh(level.message.clone(), mesh()?),
         };
+        self.holds_steps = level.known_steps > 0 || !level.finished.is_empty();
         self.opening = Some(Opening { finished: level.finished.to_vec(), first });
         self.recorder = None;
         self.waiting.clear();
@@ -118,6 +128,7 @@ impl Tape {
     /// Takes an accepted step: its work, its profile, and its state, from which a run can go on.
     pub(crate) fn step(&mut self, iteration: Iteration, profile: Points, state: State) -> Result<(), Fault> {
         self.waiting.push((iteration, profile, state));
+        self.holds_steps = true;
         if self.since.elapsed() >= WAIT {
             self.recorder()?;
         }

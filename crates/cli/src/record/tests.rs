@@ -144,6 +144,26 @@ fn a_torn_recording_goes_on_to_the_same_bytes() {
 }
 
 #[test]
+fn a_run_without_a_finished_step_has_nothing_to_go_on_from() {
+    let folder = temp_dir::TempDir::new().unwrap();
+    let (mut tape, _) = Tape::new(&folder.path().join(RUN_MCAP), RESOLVED, false).unwrap();
+    assert!(!tape.holds_steps());
+    let lines = || Err(Fault::new("unused", "the mesh is given", ""));
+    let level = RunLevel { finished: &[], known_steps: 0, message: "a level".into(), lines: &lines };
+    tape.begin_level(&level, || Ok(SceneUpdate::default())).unwrap();
+    assert!(!tape.holds_steps());
+    tape.step(Iteration::default(), profile(0), State::from(&state(0))).unwrap();
+    assert!(tape.holds_steps());
+    // A level that begins after a finished one, and recordings with either.
+    begin(&mut tape, SceneUpdate::default(), 0);
+    assert!(tape.holds_steps());
+    for steps in [0, 3] {
+        let (tape, _) = Tape::new(&recorded(folder.path(), steps), RESOLVED, true).unwrap();
+        assert!(tape.holds_steps(), "{steps}");
+    }
+}
+
+#[test]
 fn a_damaged_recording_is_read_up_to_the_damage() {
     let folder = temp_dir::TempDir::new().unwrap();
     let bytes = std::fs::read(recorded(folder.path(), 6)).unwrap();

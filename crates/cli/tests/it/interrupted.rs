@@ -50,11 +50,22 @@ fn a_study_ends_without_an_error_and_without_a_folder() {
 }
 
 #[test]
+fn a_run_in_time_that_has_no_step_yet_says_to_begin_it_again() {
+    let bench = Bench::new();
+    let child = bench.start("run punch-wear --set mesh={degree=24,layers=16} -q -o x");
+    let (code, said) = interrupt_when(child, || bench.path("x.partial").exists());
+    assert_eq!(code, Some(130), "{said}");
+    assert!(said.contains("begin it again with: wearshape run punch-wear -o x"), "{said}");
+    assert!(!said.contains("is kept") && !said.contains("--resume"), "{said}");
+}
+
+#[test]
 fn figures_that_are_finished_stay() {
     let bench = Bench::new();
-    let child = bench.start("reproduce all -q -o x");
+    let child = bench.start("reproduce all -q --threads 2 -o x");
     let (code, said) = interrupt_when(child, || bench.path("x/fig4").exists());
     assert_eq!(code, Some(130), "{said}");
-    assert!(said.contains("wearshape reproduce all") && !said.contains("error"), "{said}");
+    assert!(said.contains("begin it again with: wearshape reproduce all -o x --threads 2 --quiet\n"), "{said}");
+    assert!(!said.contains("error"), "{said}");
     assert!(bench.path("x/fig4/rows.csv").exists() && !bench.path("x/index").exists());
 }
