@@ -69,6 +69,10 @@ usage: cargo xtask <chore>
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let root = workspace_root();
+    if let Some(help) = help(&words) {
+        print!("{help}");
+        return ExitCode::SUCCESS;
+    }
     match words.first().map(String::as_str) {
         Some("tidy") => tidy::run(&root, &words[1..]),
         Some("bench") if words[1..].iter().any(|word| word.starts_with("--")) => speed::against(&root, &words[1..]),
@@ -90,10 +94,6 @@ fn main() -> ExitCode {
         Some("wheel") => python::wheel(&root, &words[1..]),
         Some("web") => web::run(&root, &words[1..]),
         Some("package") => package::run(&root),
-        Some("help" | "-h" | "--help") => {
-            print!("{USAGE}");
-            ExitCode::SUCCESS
-        }
         Some(other) => {
             eprintln!("xtask: there is no chore `{other}`\n\n{USAGE}");
             ExitCode::from(2)
@@ -105,8 +105,40 @@ fn main() -> ExitCode {
     }
 }
 
+/// What is asked for by `help`, or by `--help` behind a chore: its lines of the usage.
+fn help(words: &[String]) -> Option<String> {
+    let asks = |word: &String| matches!(word.as_str(), "-h" | "--help");
+    let (chore, rest) = words.split_first()?;
+    if chore == "help" || asks(chore) {
+        return Some(USAGE.into());
+    }
+    let begins = |line: &&str| line.starts_with("  ") && !line.starts_with("   ");
+    let mut lines = USAGE.lines().skip_while(|line| !begins(line) || line.split_whitespace().next() != Some(chore));
+    let first = lines.next().filter(|_| rest.iter().any(asks))?;
+    let lines: Vec<&str> = [first].into_iter().chain(lines.take_while(|line| !begins(line))).collect();
+    Some(format!("usage: cargo xtask {chore}\n\n{}\n", lines.join("\n")))
+}
+
 /// The folder of the workspace: the parent of this package's own folder.
 fn workspace_root() -> PathBuf {
     let package = std::env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").into());
     Path::new(&package).parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_chore_has_its_part_of_the_help() {
+        let of = |words: &[&str]| help(&words.iter().map(|word| (*word).into()).collect::<Vec<String>>());
+        let stability = of(&["stability", "--help"]).unwrap();
+        assert!(stability.contains("[--case NAME] [--scenes]") && !stability.contains("estimates"), "{stability}");
+        assert_eq!(stability.lines().count(), 4);
+        for chore in ["tidy", "verify", "validation", "bench", "profile"] {
+            assert!(of(&[chore, "--case", "x", "-h"]).unwrap().contains(&format!("\n  {chore} ")), "{chore}");
+        }
+        assert_eq!((of(&["--help"]), of(&["help"])), (Some(USAGE.into()), Some(USAGE.into())));
+        assert_eq!((of(&["nosuch", "--help"]), of(&["tidy", "--list"]), of(&[])), (None, None, None));
+    }
 }

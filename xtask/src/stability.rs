@@ -47,9 +47,7 @@ fn all(root: &Path, words: &[String]) -> Result<bool, String> {
         return Err("--docs writes all cases: leave --case and --scenes out".into());
     }
     let cases = case::read(&root.join("verify/stability.toml"))?;
-    if let Some(unknown) = names.iter().find(|name| cases.iter().all(|case| case.name != **name)) {
-        return Err(format!("there is no case `{unknown}`"));
-    }
+    known(&cases, &names)?;
     let wearshape = program.map_or_else(|| programs::build(root), Ok)?;
     let needed = needed(&cases, &names);
     let started = Instant::now();
@@ -74,6 +72,15 @@ fn all(root: &Path, words: &[String]) -> Result<bool, String> {
         page::write(root, &rows)?;
     }
     Ok(failed == 0)
+}
+
+/// Refuses names that no case has.
+fn known(cases: &[Case], names: &[String]) -> Result<(), String> {
+    let all: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+    match names.iter().find(|name| !all.contains(&name.as_str())) {
+        Some(unknown) => Err(format!("there is no case `{unknown}`; there are: {}", all.join(", "))),
+        None => Ok(()),
+    }
 }
 
 /// The named cases and those they are held against; empty: all.
@@ -144,4 +151,19 @@ fn finish(mut command: Command) -> Result<(Option<i32>, Vec<u8>), String> {
         std::thread::sleep(Duration::from_millis(5));
     };
     Ok((code, reader.join().unwrap_or_default()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_that_no_case_has_is_answered_with_those_there_are() {
+        let tests = || Kind::Tests { package: "wear".into(), filter: "x".into() };
+        let case = |name: &str| Case { name: name.into(), what: String::new(), right: String::new(), kind: tests() };
+        let cases = ["one", "other"].map(case);
+        assert_eq!(known(&cases, &["other".into()]), Ok(()));
+        let said = known(&cases, &["one".into(), "nosuch".into()]);
+        assert_eq!(said, Err("there is no case `nosuch`; there are: one, other".into()));
+    }
 }
