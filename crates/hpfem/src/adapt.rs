@@ -54,7 +54,7 @@ pub struct Adapted {
 /// coordinates would shape the cells, later at vertices near the origin.
 ///
 /// # Errors
-/// [`Error::FoldedCell`] if a cell cannot be cut; [`Error::OutOfRange`] if `p` is not in `1..=24` or an exponent not in `(0, 1]`; [`Error::Count`] for a
+/// [`Error::FoldedCell`] if a cell cannot be cut; [`Error::OutOfRange`] if `p` is not in `1..=24` or an exponent not in `(0, 1]`; [`Error::Beyond`] for a
 /// vertex that does not exist.
 pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Result<(Mesh, Vec<usize>), Error> {
     if !(1..=MAX_DEGREE).contains(&p) {
@@ -65,8 +65,8 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
         return Err(Error::OutOfRange { quantity, value: s.exponent, range: "in (0, 1]" });
     }
     if let Some(s) = singular.iter().find(|s| s.vertex >= coarse.vertices.len()) {
-        let what = format!("vertices that are singular, up to number {} counted from 0", s.vertex);
-        return Err(Error::Count { what, given: s.vertex.saturating_add(1), expected: coarse.vertices.len() });
+        let (by, count) = ("the list of singular vertices".into(), coarse.vertices.len());
+        return Err(Error::Beyond { by, what: "vertex", index: s.vertex, count });
     }
     let vertices: Vec<usize> = singular.iter().map(|s| s.vertex).collect();
     let mut mesh = coarse.clone();

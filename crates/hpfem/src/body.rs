@@ -136,15 +136,32 @@ impl Body {
     /// supports, or the loads balance: then the answer has no part of a rigid motion, as far as the kept unknowns tell.
     ///
     /// # Errors
-    /// [`Error::NoSuchLoadCase`]; [`Error::Unbalanced`] if the loads work on a motion that nothing holds.
+    /// [`Error::NoSuchLoadCase`]; [`Error::OutOfRange`] for a factor that is not finite, and for factors under which displacements or their work are beyond all
+    /// numbers; [`Error::Unbalanced`] if the loads work on a motion that nothing holds.
     pub fn solve(&self, cases: &[(&str, f64)]) -> Result<InterfaceState, Error> {
         let factors = self.interface.factors(cases)?;
         let n = self.interface.stiffness.nrows();
         let load = TraceLoad { unknowns: vec![0.0; n], ..TraceLoad::default() };
         let right = self.interface.right_hand_side(&load, &factors);
         let state = InterfaceState { unknowns: self.interface.solve_one(&right), factors, load };
+        self.check_size(&right, &state)?;
         self.check_balance(&right, &state)?;
         Ok(state)
+    }
+
+    /// Refuses factors whose loads, displacements or work are beyond all numbers.
+    fn check_size(&self, right: &[f64], state: &InterfaceState) -> Result<(), Error> {
+        let interface = &self.interface;
+        let acting: Vec<usize> = (0..interface.load_cases.len()).filter(|k| state.factors[*k] != 0.0).collect();
+        // Work between temperatures is not computed.
+        let known = acting.iter().all(|k| acting.iter().all(|l| !interface.work[(*k, *l)].is_nan()));
+        let work = known.then(|| 2.0 * interface.strain_energy(state));
+        let wrong = right.iter().chain(&state.unknowns).copied().chain(work).find(|value| !value.is_finite());
+        wrong.map_or(Ok(()), |value| {
+            let largest = acting.iter().fold(0.0_f64, |m, k| m.max(state.factors[*k].abs()));
+            let quantity = format!("a load, displacement or work under factors of load cases up to {largest:e}");
+            Err(Error::OutOfRange { quantity, value, range: "finite" })
+        })
     }
 
     /// Refuses loads that work on a motion `m` that nothing holds, beyond what quadrature and the space leave. A turn of curved cells is

@@ -19,8 +19,8 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
         return count("degrees of cells", problem.degrees.len(), mesh.cells.len());
     }
     if let Some((cell, c)) = mesh.cells.iter().enumerate().find(|(_, c)| c.material >= problem.materials.len()) {
-        let what = format!("materials, of which cell {cell} has number {} counted from 0", c.material);
-        return count(&what, problem.materials.len(), c.material.saturating_add(1));
+        let (by, index, count) = (format!("cell {cell}"), c.material, problem.materials.len());
+        return Err(Error::Beyond { by, what: "material", index, count });
     }
     if let Some((rigid, value)) =
         problem.rigid_edge.as_ref().and_then(|rigid| Some((rigid, rigid.reference.into_iter().find(|x| !x.is_finite())?)))
@@ -119,11 +119,10 @@ fn check_pins_and_foundations(problem: &BodyProblem) -> Result<(), Error> {
             return Err(Error::Count { what, given: 0, expected: 1 });
         }
         if pin.vertex >= vertices {
-            let what = "pinned vertex, vertices".into();
-            return Err(Error::Count { what, given: pin.vertex.saturating_add(1), expected: vertices });
+            return Err(Error::Beyond { by: "a pin".into(), what: "vertex", index: pin.vertex, count: vertices });
         }
         if pin.direction == Direction::Normal {
-            return Err(Error::NotStraight { what: "a pin along the normal", boundary: format!("vertex {}", pin.vertex) });
+            return Err(Error::NoNormal(pin.vertex));
         }
     }
     for f in &problem.foundations {

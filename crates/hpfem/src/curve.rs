@@ -94,7 +94,8 @@ impl Curve {
     /// mesh files of order `points.len() - 1`. Two give a [`Curve::Line`].
     ///
     /// # Errors
-    /// [`Error::Count`] for fewer than two points or more than `CURVE_DEGREE + 1`; [`Error::OutOfRange`] for a coordinate that is not finite.
+    /// [`Error::Count`] for fewer than two points or more than `CURVE_DEGREE + 1`; [`Error::OutOfRange`] for a coordinate that is not finite
+    /// and for neighbours on one place.
     pub fn through(points: &[[f64; 2]]) -> Result<Curve, Error> {
         let n = points.len();
         if let Some(value) = points.iter().flatten().find(|v| !v.is_finite()) {
@@ -103,6 +104,11 @@ impl Curve {
                 value: *value,
                 range: "finite",
             });
+        }
+        if let Some(i) = points.windows(2).position(|two| two[0] == two[1]) {
+            let [x, z] = points[i];
+            let quantity = format!("the distance between points {i} and {} of a curve, at ({x}, {z})", i + 1);
+            return Err(Error::OutOfRange { quantity, value: 0.0, range: "positive" });
         }
         if let [start, end] = *points {
             return Ok(Curve::Line { start, end });

@@ -20,19 +20,13 @@ impl Mesh {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for `t` outside (-1, 1), [`Error::Count`] for an edge that does not exist, [`Error::FoldedCell`] if a cell
+    /// [`Error::OutOfRange`] for `t` outside (-1, 1), [`Error::Beyond`] for an edge that does not exist, [`Error::FoldedCell`] if a cell
     /// cannot be cut.
     pub fn cut_through(&self, edge: usize, t: f64) -> Result<Mesh, Error> {
         if !(t > -1.0 && t < 1.0) {
             return Err(Error::OutOfRange { quantity: "the parameter of a cut".into(), value: t, range: "in (-1, 1)" });
         }
-        if edge >= self.edges.len() {
-            return Err(Error::Count {
-                what: "edge to cut, edges".into(),
-                given: edge.saturating_add(1),
-                expected: self.edges.len(),
-            });
-        }
+        self.check_edge(edge)?;
         self.cut_all_of(&self.row(edge, t))
     }
 
@@ -44,19 +38,19 @@ impl Mesh {
     pub fn cut_rows(&self, edges: &[usize]) -> Result<(Mesh, usize), Error> {
         let (mut all, mut rows) = (BTreeMap::new(), 0);
         for edge in edges {
-            if *edge >= self.edges.len() {
-                return Err(Error::Count {
-                    what: "edge to cut, edges".into(),
-                    given: edge.saturating_add(1),
-                    expected: self.edges.len(),
-                });
-            }
+            self.check_edge(*edge)?;
             if !all.contains_key(edge) {
                 all.extend(self.row(*edge, 0.0));
                 rows += 1;
             }
         }
         Ok((self.cut_all_of(&all)?, rows))
+    }
+
+    /// Refuses an edge that does not exist.
+    fn check_edge(&self, edge: usize) -> Result<(), Error> {
+        let count = self.edges.len();
+        if edge < count { Ok(()) } else { Err(Error::Beyond { by: "a cut".into(), what: "edge", index: edge, count }) }
     }
 
     /// Cuts the edges at their parameters, and the cells that they belong to.

@@ -193,7 +193,7 @@ pub enum Error {
         /// The valid range in words.
         range: &'static str,
     },
-    /// Two lists that belong together have different lengths, or an index points beyond its list.
+    /// Two lists that belong together have different lengths.
     #[error("{what}: {given} given, {expected} expected")]
     Count {
         /// What is counted.
@@ -203,6 +203,21 @@ pub enum Error {
         /// The number expected.
         expected: usize,
     },
+    /// An index beyond what there is.
+    #[error("{by} names {what} {index}, but there are {count} in all, counted from 0")]
+    Beyond {
+        /// What the index is given for.
+        by: String,
+        /// What it is the index of.
+        what: &'static str,
+        /// The index given.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A pin along the normal, by its vertex.
+    #[error("the pin at vertex {0} holds along a normal, but a vertex has none: give a direction or an angle")]
+    NoNormal(usize),
     /// More than two cells share an edge, or two cells lie on the same side of it.
     #[error("the edge {a}-{b} is walked the same way by two cells, or shared by more than two")]
     Overlapping {
@@ -382,9 +397,4 @@ pub enum Error {
         /// The distance allowed, mm.
         allowed: f64,
     },
-}
-
-/// Names in a row, or that there is none.
-pub(crate) fn names(known: &[String]) -> String {
-    if known.is_empty() { "none".into() } else { known.join(", ") }
 }

@@ -104,13 +104,9 @@ impl Field {
     /// polynomials of the cell go on: what they say there is no state of the body.
     ///
     /// # Errors
-    /// [`Error::Count`] for a cell that the mesh does not have.
+    /// [`Error::Beyond`] for a cell that the mesh does not have.
     pub fn at(&self, cell: usize, xi: f64, eta: f64) -> Result<PointState, Error> {
-        let beyond = || Error::Count {
-            what: format!("cell {cell} of the field, cells"),
-            given: cell.saturating_add(1),
-            expected: self.cells.len(),
-        };
+        let beyond = || Error::Beyond { by: "a point".into(), what: "cell", index: cell, count: self.cells.len() };
         let local = self.cells.get(cell).ok_or_else(beyond)?;
         let point = CellPoint::new(&self.mesh, cell, self.degrees[cell], xi, eta);
         let (value, gradient) = self.state(local, &point);

@@ -1,7 +1,8 @@
 //! What is left of a body when everything but its kept boundary is eliminated.
 
-use crate::error::{Error, names};
+use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::mesh::names;
 use crate::trace::{Trace, TraceLoad};
 use faer::Mat;
 
@@ -268,6 +269,8 @@ impl InterfaceOperator {
     /// # Panics
     /// For loads or a gauge of another body.
     pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
+        let (given, unknowns) = (right.nrows(), self.stiffness.nrows());
+        assert!(given == unknowns, "a right-hand side of {given} numbers for {unknowns} kept unknowns");
         self.factor(gauge, (0..self.stiffness.nrows()).collect()).solve(right)
     }
 
@@ -291,6 +294,7 @@ impl InterfaceOperator {
             k < known,
             "column {k} of an interface operator that has {known}, counted from 0: see load_case and prescribed_column"
         );
+        self.assert_own(state);
         let boundary: f64 = state.unknowns.iter().enumerate().map(|(i, u)| u * self.columns[(i, k)]).sum();
         let acting = state.factors.iter().enumerate().filter(|(_, a)| **a != 0.0);
         boundary + acting.map(|(l, a)| a * self.work[(k, l)]).sum::<f64>()
@@ -299,11 +303,23 @@ impl InterfaceOperator {
     /// Work of the contact load and the load cases over two, `1/2 f . u`, N mm: the strain energy, that of elastic foundations with it, of a
     /// state without prescribed displacements and eigenstrains. Work of reactions on prescribed displacements is not counted, so that with these
     /// it is no energy (0 where nothing else acts); [`Field::strain_energy`](crate::Field::strain_energy) knows both, but no foundations.
+    ///
+    /// # Panics
+    /// For a state of another body, or from before a load was added.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
+        self.assert_own(state);
         let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
         let acting = (0..self.load_cases.len()).filter(|k| state.factors[*k] != 0.0);
         let loads: f64 = acting.map(|k| state.factors[k] * self.column_work(k, state)).sum();
         0.5 * (contact + loads)
+    }
+
+    /// Ends the program for a state of another body, whose numbers would be taken for others.
+    fn assert_own(&self, state: &InterfaceState) {
+        let (given, unknowns) = (state.unknowns.len(), self.stiffness.nrows());
+        assert!(given == unknowns, "a state of {given} kept unknowns for an interface operator that has {unknowns}");
+        let (given, columns) = (state.factors.len(), self.columns.ncols());
+        assert!(given == columns, "a state of {given} factors for an interface operator that has {columns} columns");
     }
 
     /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`, N and N mm. In bodies of revolution the axial force alone
@@ -312,6 +328,11 @@ impl InterfaceOperator {
     /// # Panics
     /// For a support that the body does not have, or a state of another body.
     pub fn reaction(&self, support: usize, state: &InterfaceState) -> [f64; 3] {
+        let known = self.reaction_constant.nrows() / 3;
+        assert!(
+            support < known,
+            "support {support} of an interface operator that has {known}, its pins included, counted from 0"
+        );
         std::array::from_fn(|k| {
             let r = 3 * support + k;
             let constant: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.reaction_constant[(r, l)]).sum();

@@ -1,7 +1,7 @@
 //! Meshes of curved quadrilaterals and triangles.
 
 use crate::curve::Curve;
-use crate::error::{Error, names};
+use crate::error::Error;
 use crate::triangle::{barycentric, triangle_map};
 
 /// Ends of the four edges of a cell in its corner numbering, each walked towards growing reference coordinate:
@@ -91,7 +91,7 @@ impl Mesh {
     /// # Errors
     /// [`Error::NoCells`], [`Error::NoSuchEdge`], [`Error::CurveMissesVertex`], [`Error::FoldedCell`], [`Error::Overlapping`];
     /// [`Error::CellsOverlap`] if the middle of one cell lies inside another; [`Error::OutOfRange`] for numbers that are not finite,
-    /// [`Error::Count`] for corners that do not exist.
+    /// [`Error::Beyond`] for corners that do not exist.
     pub fn new(
         vertices: Vec<[f64; 2]>,
         quads: &[Quad],
@@ -221,20 +221,34 @@ impl Mesh {
         neighbours
     }
 
-    /// The curve of a cell's local edge, walked towards growing reference coordinate.
+    /// The curve of a cell's local edge, 0 to 3, walked towards growing reference coordinate.
+    ///
+    /// # Panics
+    /// For a cell that the mesh does not have, or a local edge beyond 3.
     pub fn local_curve(&self, cell: usize, local: usize) -> Curve {
-        let Some(edge) = self.cells[cell].edges[local] else {
-            let x = self.vertices[self.cells[cell].corners[2]];
+        assert!(local < 4, "local edge {local} of a cell, which has 4, counted from 0");
+        let cell = self.cell(cell);
+        let Some(edge) = cell.edges[local] else {
+            let x = self.vertices[cell.corners[2]];
             return Curve::Line { start: x, end: x };
         };
         let curve = &self.edges[edge].curve;
-        if self.cells[cell].against[local] { curve.reversed() } else { *curve }
+        if cell.against[local] { curve.reversed() } else { *curve }
+    }
+
+    /// A cell by its index, which must be one of the mesh.
+    fn cell(&self, cell: usize) -> &Cell {
+        assert!(cell < self.cells.len(), "cell {cell} of a mesh that has {}, counted from 0", self.cells.len());
+        &self.cells[cell]
     }
 
     /// Transfinite (blended) map of a cell, `X(xi, eta)`, mm, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
     /// (Gordon and Hall 1973; Szabo and Babuska 1991, sec. 6.2). In a triangle the derivative by `xi` vanishes at `eta = 1`.
+    ///
+    /// # Panics
+    /// For a cell that the mesh does not have.
     pub fn map(&self, cell: usize, xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
-        if self.cells[cell].is_triangle() {
+        if self.cell(cell).is_triangle() {
             let (x, d) = self.reference_map(cell, barycentric(xi, eta));
             let by_xi = 0.25 * (1.0 - eta);
             return (x, d.map(|[r, s]| [by_xi * r, 0.5 * s - 0.25 * (1.0 + xi) * r]));
@@ -302,8 +316,8 @@ fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
     }
     for (cell, quad) in quads.iter().enumerate() {
         if let Some(corner) = quad.corners.iter().find(|v| **v >= vertices.len()) {
-            let what = format!("vertices that cell {cell} names, up to number {corner} counted from 0");
-            return Err(Error::Count { what, given: corner.saturating_add(1), expected: vertices.len() });
+            let (by, count) = (format!("cell {cell}"), vertices.len());
+            return Err(Error::Beyond { by, what: "vertex", index: *corner, count });
         }
     }
     Ok(())
@@ -338,4 +352,9 @@ impl EdgeIndex {
 
 pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Names in a row, or that there is none.
+pub(crate) fn names(known: &[String]) -> String {
+    if known.is_empty() { "none".into() } else { known.join(", ") }
 }

@@ -13,7 +13,7 @@ impl Mesh {
     ///
     /// # Errors
     /// [`Error::TwoGradedCorners`] if a cell touches two of the vertices; [`Error::OutOfRange`] for a ratio outside (0, 1);
-    /// [`Error::Count`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
+    /// [`Error::Beyond`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
     pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
         in_range(ratio)?;
         self.check_graded(vertices)?;
@@ -44,8 +44,7 @@ impl Mesh {
     /// Whether vertices exist, and no cell touches two of them.
     fn check_graded(&self, vertices: &[usize]) -> Result<(), Error> {
         if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
-            let what = "vertex to grade towards, vertices".into();
-            return Err(Error::Count { what, given: v.saturating_add(1), expected: self.vertices.len() });
+            return Err(Error::Beyond { by: "the refinement".into(), what: "vertex", index: *v, count: self.vertices.len() });
         }
         for (cell, c) in self.cells.iter().enumerate() {
             let mut touched = c.vertices().iter().filter(|v| vertices.contains(v));

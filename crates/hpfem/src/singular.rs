@@ -44,7 +44,7 @@ const WEAKEST: f64 = 0.99;
 /// Vertices on an axis of revolution are left out: of the tip of a cone the sectors of a plane corner do not know the exponent. Push a [`SingularVertex`] for it.
 ///
 /// # Errors
-/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::OutOfRange`] for the angle of a support that is not finite; [`Error::Count`] for a cell whose material
+/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::OutOfRange`] for the angle of a support that is not finite; [`Error::Beyond`] for a cell whose material
 /// is not among the `materials`.
 pub fn singular_vertices(
     mesh: &Mesh,
@@ -120,8 +120,8 @@ fn exponent_of(known: &mut Vec<Met>, sectors: Vec<Sector>, faces: Option<[Face; 
 fn check_materials(mesh: &Mesh, materials: &[Material]) -> Result<(), Error> {
     match mesh.cells.iter().position(|cell| cell.material >= materials.len()) {
         Some(cell) => {
-            let (what, expected) = (format!("materials for cell {cell}"), mesh.cells[cell].material.saturating_add(1));
-            Err(Error::Count { what, given: materials.len(), expected })
+            let (by, index) = (format!("cell {cell}"), mesh.cells[cell].material);
+            Err(Error::Beyond { by, what: "material", index, count: materials.len() })
         }
         None => Ok(()),
     }
@@ -159,7 +159,7 @@ impl Corner {
     /// The wedge of a body with the given supports at a boundary vertex, its sectors anti-clockwise; none inside the body.
     ///
     /// # Errors
-    /// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::Count`] for a cell whose material is not among the `materials`.
+    /// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::Beyond`] for a cell whose material is not among the `materials`.
     pub fn at(
         mesh: &Mesh,
         vertex: usize,

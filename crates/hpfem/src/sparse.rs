@@ -79,11 +79,11 @@ impl SparseBody {
     /// The matrices of a cell.
     ///
     /// # Errors
-    /// [`Error::Count`] beyond the cells; a folded cell; boundaries of loads that do not exist.
+    /// [`Error::Beyond`] beyond the cells; a folded cell; boundaries of loads that do not exist.
     pub fn element(&self, cell: usize) -> Result<Element, Error> {
-        let expected = self.problem.mesh.cells.len();
-        if cell >= expected {
-            return Err(Error::Count { what: "cell, cells".into(), given: cell.saturating_add(1), expected });
+        let count = self.problem.mesh.cells.len();
+        if cell >= count {
+            return Err(Error::Beyond { by: "a call of `element`".into(), what: "cell", index: cell, count });
         }
         self.element_of(&self.assembly()?, cell, &mut Workspace::default())
     }

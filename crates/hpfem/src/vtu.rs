@@ -92,8 +92,8 @@ impl Vtu {
     /// VTK draws Lagrange cells up to degree 10; higher ones are written all the same.
     ///
     /// # Errors
-    /// [`Error::Count`] for arrays whose length is not that of the points or cells times their components, for cells with points that
-    /// there are not, and for a number of points that their kind cannot have.
+    /// [`Error::Count`] for arrays whose length is not that of the points or cells times their components, and for cells with a number of points that
+    /// their kind cannot have; [`Error::Beyond`] for cells with points that there are not.
     pub fn text(&self) -> Result<String, Error> {
         let points = self.points.values.len() / 3;
         self.check(points)?;
@@ -136,11 +136,7 @@ impl Vtu {
         self.cell_arrays.iter().try_for_each(|array| array.check(self.cells.len()))?;
         for (number, (kind, nodes)) in self.cells.iter().enumerate() {
             if let Some(node) = nodes.iter().find(|node| **node >= points) {
-                return Err(Error::Count {
-                    what: format!("point of cell {number}, points"),
-                    given: node.saturating_add(1),
-                    expected: points,
-                });
+                return Err(Error::Beyond { by: format!("cell {number}"), what: "point", index: *node, count: points });
             }
             if !kind.takes(nodes.len()) {
                 let expected = if matches!(kind, VtuKind::Triangle | VtuKind::LagrangeTriangle) { 3 } else { 4 };

@@ -135,8 +135,10 @@ fn additions_that_cannot_be_are_refused() {
     let problem = || problem(&mesh, 2, PLANE_STRESS, &materials, &[], &[], Some("top"));
     let fault = |problem| Body::new(problem).err().unwrap();
     let pin = |vertex, direction| BodyProblem { pins: vec![Pin { vertex, direction }], ..problem() };
-    assert!(matches!(fault(pin(9, Direction::First)), Error::Count { given: 10, .. }));
-    assert!(matches!(fault(pin(0, Direction::Normal)), Error::NotStraight { .. }));
+    let beyond = fault(pin(99, Direction::First));
+    assert_eq!(beyond.to_string(), "a pin names vertex 99, but there are 4 in all, counted from 0");
+    let along = fault(pin(2, Direction::Normal)).to_string();
+    assert!(along.contains("the pin at vertex 2") && !along.contains("boundary"), "{along}");
     let soft = |boundary, normal| problem().foundation(Foundation::new(boundary, normal, 0.0));
     assert!(matches!(fault(soft("bottom", -1.0)), Error::OutOfRange { .. }));
     assert!(matches!(fault(soft("soil", 1.0)), Error::NoSuchBoundary { .. }));

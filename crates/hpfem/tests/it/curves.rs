@@ -95,6 +95,11 @@ fn a_curve_goes_through_two_points_at_least_and_nine_at_most() {
         let error = Curve::through(&points[..n]).unwrap_err();
         assert!(matches!(error, Error::Count { given, .. } if given == n), "{error}");
     }
+    // As splines, none goes through one place twice in a row.
+    for again in [&[points[1]; 2][..], &[points[0], points[1], points[1]]] {
+        let error = Curve::through(again).unwrap_err();
+        assert!(matches!(error, Error::OutOfRange { value: 0.0, .. }) && error.to_string().contains("at (1, 1)"), "{error}");
+    }
     assert_eq!(Curve::through(&points[..2]), Ok(Curve::Line { start: points[0], end: points[1] }));
     for n in 3..=9 {
         let end = Curve::through(&points[..n]).unwrap().point(1.0);

@@ -135,7 +135,7 @@ fn a_cut_outside_the_edge_is_refused() {
     for t in [-1.0, 1.0, f64::NAN] {
         assert!(matches!(mesh.cut_through(0, t), Err(Error::OutOfRange { .. })));
     }
-    assert!(matches!(mesh.cut_through(99, 0.0), Err(Error::Count { .. })));
+    assert!(matches!(mesh.cut_through(99, 0.0), Err(Error::Beyond { index: 99, .. })));
 }
 
 /// Two rows that cross each other, whichever edge is named first; an edge of a row that is cut already adds nothing.
@@ -152,5 +152,5 @@ fn rows_are_cut_at_once_and_in_no_order() {
     assert!(mesh.cut_rows(&both).unwrap().1 <= 3, "of {both:?}");
     let (same, none) = mesh.cut_rows(&[]).unwrap();
     assert_eq!((same.cells.len(), none), (4, 0));
-    assert!(matches!(mesh.cut_rows(&[mesh.edges.len()]), Err(Error::Count { .. })));
+    assert!(matches!(mesh.cut_rows(&[mesh.edges.len()]), Err(Error::Beyond { .. })));
 }

@@ -80,7 +80,10 @@ fn layers_end_where_the_digits_of_a_vertex_do() {
         let level = graded_level(&mesh, &[SingularVertex { vertex: corner, exponent }], 4);
         assert!(matches!(level, Err(Error::OutOfRange { .. })), "{exponent}");
     }
-    assert!(matches!(graded_level(&mesh, &[SingularVertex { vertex: 9, exponent: 0.5 }], 4), Err(Error::Count { .. })));
+    assert!(matches!(
+        graded_level(&mesh, &[SingularVertex { vertex: 9, exponent: 0.5 }], 4),
+        Err(Error::Beyond { index: 9, .. })
+    ));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 mod additions;
 mod axis;
+mod beyond;
 mod classics;
 mod closed;
 mod common;

@@ -107,7 +107,7 @@ fn what_cannot_be_is_refused() {
     assert!(matches!(sparse.mass(&[]), Err(Error::Count { .. })));
     assert!(matches!(sparse.mass(&[-1.0]), Err(Error::OutOfRange { .. })));
     assert!(matches!(sparse.modes(&[1.0], 0), Err(Error::OutOfRange { .. })));
-    assert!(matches!(sparse.element(9), Err(Error::Count { .. })));
+    assert!(matches!(sparse.element(9), Err(Error::Beyond { index: 9, .. })));
 }
 
 #[test]

@@ -82,19 +82,21 @@ fn arrays_and_cells_that_do_not_fit_are_refused_by_name() {
         text.contains("<PointData>\n<DataArray type=\"Float64\" Name=\"p &lt; &quot;q&quot; &amp; r\" NumberOfComponents=\"1\""),
         "{text}"
     );
-    let fault = |change: &dyn Fn(&mut Vtu)| {
+    let changed = |change: &dyn Fn(&mut Vtu)| {
         let mut vtu = square();
         change(&mut vtu);
-        match vtu.text() {
-            Err(Error::Count { what, given, expected }) => (what, given, expected),
-            other => panic!("{other:?}"),
-        }
+        vtu.text().unwrap_err()
+    };
+    let fault = |change: &dyn Fn(&mut Vtu)| match changed(change) {
+        Error::Count { what, given, expected } => (what, given, expected),
+        other => panic!("{other:?}"),
     };
     assert_eq!(fault(&|v| v.points.components = 2), ("components of positions".into(), 2, 3));
     assert_eq!(fault(&|v| v.points.values.push(0.0)), ("values of \"place\"".into(), 13, 12));
     assert_eq!(fault(&|v| v.point_arrays[0].values.push(0.0)), ("values of \"p < \"q\" & r\"".into(), 5, 4));
     assert_eq!(fault(&|v| v.cell_arrays[0].values.truncate(1)), ("values of \"tensor\"".into(), 1, 6));
-    assert_eq!(fault(&|v| v.cells[0].1[2] = 4), ("point of cell 0, points".into(), 5, 4));
+    let beyond = Error::Beyond { by: "cell 0".into(), what: "point", index: 4, count: 4 };
+    assert_eq!(changed(&|v| v.cells[0].1[2] = 4), beyond);
     assert_eq!(fault(&|v| v.cells[0].0 = VtuKind::Triangle), ("points of cell 0".into(), 4, 3));
     assert_eq!(fault(&|v| v.cells[0].0 = VtuKind::LagrangeTriangle), ("points of cell 0".into(), 4, 3));
     assert_eq!(fault(&|v| v.cells[0] = (VtuKind::LagrangeQuadrilateral, vec![0, 1, 2])), ("points of cell 0".into(), 3, 4));
