@@ -10,6 +10,7 @@ use crate::singular::{LimitSide, carries, limit};
 use crate::singular_report::singular_report;
 use crate::solve::balance_any;
 use crate::stage::Stage;
+use crate::surface::TRACK;
 use crate::why::{ALL_CLOSED, CAPPED, ON_THE_EDGE};
 use crate::{Optimum, Problem, Regime, WearError};
 
@@ -88,14 +89,9 @@ fn revolving(problem: &Problem) -> Result<Optimum, WearError> {
         });
     }
     let tracked = matches!(problem.surface.shape(), crate::Shape::Sector { .. });
-    let name = "track area of the revolving counterface";
-    match problem.surface.track_area() {
-        Some(value) if value.is_nan() || value <= 0.0 => return Err(WearError::OutOfRange { name, value, wanted: "> 0" }),
-        None if !tracked => {
-            let wanted = "given for a surface that is neither arc nor sector";
-            return Err(WearError::OutOfRange { name, value: f64::NAN, wanted });
-        }
-        Some(_) | None => {}
+    if !tracked && problem.surface.track_area().is_none() {
+        let wanted = "given for a surface that is neither arc nor sector";
+        return Err(WearError::OutOfRange { name: TRACK, value: f64::NAN, wanted });
     }
     let density = Density::Receding { log_weight: front.factor.ln(), power: front.speed_exponent, m: front.pressure_exponent };
     solve(problem, density, front.pressure_exponent + 1.0)

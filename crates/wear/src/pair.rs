@@ -56,13 +56,14 @@ impl WearPair {
         Ok(Self { active: false, friction_driven: true, ..Self::archard(beta, speed_exponent, pressure_exponent) })
     }
 
-    /// The same with threshold pressures (MPa) in the power laws of body 1 and body 2; one of 0 leaves the power law as it is.
+    /// The same with threshold pressures (MPa) in the power laws of body 1 and body 2; one of 0 leaves the power law as it is, and
+    /// so does one in a law that does not wear. A [`Problem`](crate::Problem) is refused whose thresholds are negative or not finite.
     #[must_use]
     pub fn above(mut self, thresholds: [f64; 2]) -> Self {
         for (rule, threshold) in self.rules.iter_mut().zip(thresholds) {
             if let Rule::Power(law) = *rule
-                && threshold > 0.0
-                && law.factor > 0.0
+                && threshold != 0.0
+                && (law.factor > 0.0 || !(threshold > 0.0 && threshold.is_finite()))
             {
                 *rule = Rule::Threshold(ThresholdLaw { law, threshold });
             }

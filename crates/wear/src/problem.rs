@@ -89,10 +89,24 @@ impl Problem {
             let why = "a full ring carries axial modes only; use a sector of one turn for moments";
             return Err(WearError::Modes { count, why });
         }
+        self.surface.check_track()?;
         for rule in &self.wear.rules {
             rule.check()?;
         }
+        self.check_functional()?;
         self.check_rates()
+    }
+
+    /// Refuses a functional of one's own that is no number at the speeds of the surface.
+    fn check_functional(&self) -> Result<(), WearError> {
+        let Functional::Own(own) = &self.functional else { return Ok(()) };
+        let mut sound = Ok(());
+        self.surface.survey(&mut |SurfacePoint { sliding_speed: speed, .. }| {
+            if *speed > 0.0 && sound.is_ok() {
+                sound = own.check_numbers(*speed, self.friction);
+            }
+        });
+        sound
     }
 
     /// Refuses functions whose rates are no numbers at the speeds of the surface, or do not grow with the pressure at the lowest and the highest.

@@ -8,6 +8,8 @@ use crate::{SlidingMotion, SurfacePoint, WearError};
 
 /// Largest difference of the length of a unit vector of a listed point from 1: coordinates may be single precision.
 const UNIT: f64 = 1e-6;
+/// What a track is refused as.
+pub(crate) const TRACK: &str = "track area of the counterface";
 /// Round-off of a full turn.
 const TURN: f64 = 1e-9;
 
@@ -161,10 +163,18 @@ impl Surface {
     }
 
     /// The same surface with the area (mm^2) of body 2's closed track, greater than 0, needed by a revolving counter-face under a
-    /// list of points.
+    /// list of points. A [`Problem`](crate::Problem) is refused with another one.
     pub fn with_track_area(mut self, area: f64) -> Self {
         self.track_area = Some(area);
         self
+    }
+
+    /// Refuses a track without area, whether it is needed or not.
+    pub(crate) fn check_track(&self) -> Result<(), WearError> {
+        match self.track_area {
+            Some(value) if value.is_nan() || value <= 0.0 => Err(WearError::OutOfRange { name: TRACK, value, wanted: "> 0" }),
+            Some(_) | None => Ok(()),
+        }
     }
 
     pub(crate) fn is_listed(&self) -> bool {

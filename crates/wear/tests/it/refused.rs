@@ -3,8 +3,8 @@
 use crate::surfaces::{problem, punch};
 use nalgebra::Vector3;
 use wear::{
-    Counterface, FunctionLaw, Functional, Groove, OwnRule, Problem, RigidMode, RigidMotion, Shape, SlidingMotion, Surface,
-    SurfacePoint, Unbalanced, WearError, WearLaw, WearPair, optimal_pressure,
+    Counterface, FunctionLaw, Functional, Groove, OwnFunctional, OwnRule, Problem, RigidMode, RigidMotion, Shape, SlidingMotion,
+    Surface, SurfacePoint, Unbalanced, WearError, WearLaw, WearPair, optimal_pressure,
 };
 
 fn tilted(q: f64, moment: f64) -> Problem {
@@ -107,9 +107,25 @@ fn modes_tracks_and_rules_of_no_numbers_are_refused_by_name() {
     let force = vec![RigidMode::press_down(1000.0)];
     for area in [-100.0, 0.0, f64::NAN] {
         let surface = punch().with_track_area(area);
+        let fresh = Problem::new(surface.clone(), law, force.clone());
+        assert_eq!(named(optimal_pressure(&fresh).unwrap_err()), "track area of the counterface");
         let revolving = Problem { counterface: Counterface::Revolving, ..Problem::new(surface, law, force.clone()) };
         let revolving = Problem { wear: WearPair::archard([1e-7; 2], [1.0; 2], [1.0; 2]), ..revolving };
-        assert_eq!(named(optimal_pressure(&revolving).unwrap_err()), "track area of the revolving counterface");
+        assert_eq!(named(optimal_pressure(&revolving).unwrap_err()), "track area of the counterface");
+    }
+    // Of a body that does not wear too.
+    for thresholds in [[f64::NAN, 0.0], [-1.0, 0.0], [f64::INFINITY, 0.0], [0.0, f64::NAN]] {
+        let wear = WearPair::archard([1e-7, 0.0], [1.0; 2], [1.0; 2]).above(thresholds);
+        let wrong = Problem { wear, ..Problem::new(punch(), law, force.clone()) };
+        assert_eq!(named(optimal_pressure(&wrong).unwrap_err()), "threshold pressure", "{thresholds:?}");
+    }
+    let wear = WearPair::archard([1e-7, 0.0], [1.0; 2], [1.0; 2]);
+    assert_eq!(wear.clone().above([0.0, 2.0]), wear);
+    let none = OwnFunctional::new(|p, _, _| if p > 100.0 { [p * p, f64::NAN, 2.0] } else { [p * p, 2.0 * p, 2.0] });
+    for functional in [OwnFunctional::new(|_, _, _| [f64::NAN; 3]), none] {
+        let wrong = Problem { functional: Functional::Own(functional), ..Problem::new(punch(), law, force.clone()) };
+        let name = named(optimal_pressure(&wrong).unwrap_err());
+        assert_eq!(name, "density of a functional given as a function, or one of its derivatives");
     }
     for (law, name) in [
         (FunctionLaw::Saturating { k: -1.0, half: 1.0 }, "k"),
