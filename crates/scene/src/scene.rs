@@ -20,6 +20,7 @@ pub use crate::output::{FieldPath, Output};
 /// A wear scene: two bodies (or a surface alone), their load and sliding, the wear rule, and what is wanted.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(transform = crate::schema::mesh_or_accuracy))]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Scene {
     /// One line for reports.
@@ -36,10 +37,11 @@ pub struct Scene {
     pub thickness: Option<Length>,
     /// What to compute. Default: pressure and shape; a surface alone: pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minItems" = 1)))]
     pub tasks: Option<Vec<Task>>,
     /// Wanted relative accuracy of the answer; the mesh follows from it. Default 1e-6.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 1e-13, "maximum" = 0.5)))]
     pub accuracy: Option<f64>,
     /// A fixed discretisation instead of an accuracy.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -126,10 +128,11 @@ pub enum Task {
 pub struct Mesh {
     /// Polynomial degree.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 1)))]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 1, "maximum" = 24)))]
     pub degree: Option<usize>,
     /// Layers of cells graded towards each singular point.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("maximum" = 60)))]
     pub layers: Option<usize>,
 }
 
@@ -156,6 +159,7 @@ pub struct Body {
     /// What of body 1 may wear off: a thickness (mm), as `wear.wearable`, which a surface without bodies has, or the layer of its material at the contact, by
     /// name, as far as it goes where it is thinnest. Body 2 has none.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub wearable: Option<Layer>,
     /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -183,9 +187,11 @@ pub struct Contact {
     pub gap: Option<crate::gap::Gap>,
     /// Radial clearance of a shaft in its housing whose arcs are drawn with one radius: that of the hole less that of the shaft.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
     pub clearance: Option<Length>,
     /// Roughness of the machined surface (mm): a shape that differs by less from the surface as it is is not worth machining.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub roughness: Option<Length>,
 }
 
@@ -295,6 +301,7 @@ pub struct Wear {
     pub k: Option<Pair<WearFactor>>,
     /// Exponent of the sliding speed. Default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
     pub a: Option<Pair<f64>>,
     /// Exponent of the pressure. Default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -320,6 +327,7 @@ pub struct Wear {
     pub until: Option<crate::gap::Until>,
     /// Thickness of body 1 that may wear off (mm): its life follows from the steady wear. `body1.wearable` says the same.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub wearable: Option<Length>,
     /// Relative spread of the wear factor, from 0 to less than 1: that of the life follows.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -15,6 +15,13 @@ use crate::units::dimension::{pattern, schema_of};
 use crate::units::quantities::{HEAT_TRANSFER, LENGTH, TIME, VOLUME};
 use crate::units::{Angle, Axes, Conductance, Length, Pair, Scale, Steps};
 
+/// Asks for a degree where a mesh is given without an accuracy.
+pub(crate) fn mesh_or_accuracy(scene: &mut Schema) {
+    let no_degree = json_schema!({ "required": ["mesh"], "properties": { "mesh": { "not": { "required": ["degree"] } } } });
+    scene.insert("if".into(), no_degree.to_value());
+    scene.insert("then".into(), json_schema!({ "required": ["accuracy"] }).to_value());
+}
+
 impl JsonSchema for Conductance {
     fn schema_name() -> Cow<'static, str> {
         "Conductance".into()

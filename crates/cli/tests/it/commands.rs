@@ -42,6 +42,46 @@ fn the_schema_knows_units_and_least_numbers() {
     assert!(["scale", "rotate", "move"].iter().all(|key| mesh[key].is_object()), "{mesh}");
 }
 
+/// Each with the last number that the program takes and one that it refuses.
+#[test]
+fn the_schema_has_the_bounds_that_the_program_has() {
+    let bench = Bench::new();
+    let schema: serde_json::Value = serde_json::from_str(&bench.call("schema").out).unwrap();
+    let of = |table: &str, key: &str| match table {
+        "" => schema["properties"][key].clone(),
+        table => schema["definitions"][table]["properties"][key].clone(),
+    };
+    for (table, key, word, bound, taken, refused) in [
+        ("", "accuracy", "minimum", 1e-13, "accuracy=1e-13", "accuracy=9e-14"),
+        ("", "accuracy", "maximum", 0.5, "accuracy=0.5", "accuracy=0.51"),
+        ("Mesh", "degree", "minimum", 1.0, "mesh={degree=1}", "mesh={degree=0}"),
+        ("Mesh", "degree", "maximum", 24.0, "mesh={degree=24}", "mesh={degree=25}"),
+        ("Mesh", "layers", "maximum", 60.0, "mesh={degree=4,layers=60}", "mesh={degree=4,layers=61}"),
+        ("Contact", "clearance", "minimum", 0.0, "contact.clearance=0", "contact.clearance=-0.001"),
+        ("Contact", "roughness", "exclusiveMinimum", 0.0, "contact.roughness=1e-9", "contact.roughness=0"),
+        ("Wear", "a", "minimum", 0.0, "wear.a=0", "wear.a=-0.1"),
+        ("Wear", "wearable", "exclusiveMinimum", 0.0, "wear.wearable=1e-9", "wear.wearable=0"),
+        ("Body", "wearable", "exclusiveMinimum", 0.0, "body1.wearable=1e-9", "body1.wearable=0"),
+        ("", "tasks", "minItems", 1.0, "tasks=[pressure]", "tasks=[]"),
+    ] {
+        assert_eq!(of(table, key)[word].as_f64(), Some(bound), "{key}: {}", of(table, key));
+        let scene = if key == "clearance" { "bushing" } else { "drum-brake-block" };
+        for (set, code) in [(taken, 0), (refused, 2)] {
+            let call = bench.call(&format!("check {scene} --set {set}"));
+            assert_eq!(call.code, code, "{set}: {}", call.err);
+        }
+    }
+    // A mesh has a degree, unless an accuracy is given beside it.
+    let no_degree = serde_json::json!({ "required": ["mesh"], "properties": { "mesh": { "not": { "required": ["degree"] } } } });
+    assert_eq!((&schema["if"], &schema["then"]), (&no_degree, &serde_json::json!({ "required": ["accuracy"] })));
+    let text = include_str!("../../../../data/scenes/drum-brake-block.toml");
+    for (mesh, code) in [("accuracy = 1e-6\nmesh.layers = 2\n", 0), ("mesh.layers = 2\n", 2), ("mesh.degree = 4\n", 0)] {
+        bench.file("x.toml", &text.replace("accuracy = 1e-6 ", mesh));
+        let call = bench.call("check x.toml");
+        assert_eq!(call.code, code, "{mesh}: {}", call.err);
+    }
+}
+
 #[test]
 fn the_schema_is_draft_7_and_knows_the_keys() {
     let bench = Bench::new();
