@@ -132,11 +132,11 @@ mod tests {
     #[test]
     fn every_chore_has_its_part_of_the_help() {
         let of = |words: &[&str]| help(&words.iter().map(|word| (*word).into()).collect::<Vec<String>>());
-        let stability = of(&["stability", "--help"]).unwrap();
+        let stability = of(&["stability", "--help"]).unwrap_or_default();
         assert!(stability.contains("[--case NAME] [--scenes]") && !stability.contains("estimates"), "{stability}");
         assert_eq!(stability.lines().count(), 4);
         for chore in ["tidy", "verify", "validation", "bench", "profile"] {
-            assert!(of(&[chore, "--case", "x", "-h"]).unwrap().contains(&format!("\n  {chore} ")), "{chore}");
+            assert!(of(&[chore, "--case", "x", "-h"]).unwrap_or_default().contains(&format!("\n  {chore} ")), "{chore}");
         }
         assert_eq!((of(&["--help"]), of(&["help"])), (Some(USAGE.into()), Some(USAGE.into())));
         assert_eq!((of(&["nosuch", "--help"]), of(&["tidy", "--list"]), of(&[])), (None, None, None));
