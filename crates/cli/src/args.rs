@@ -102,7 +102,7 @@ pub(crate) struct Common {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
-    /// Say more: the plan with its reasons, times.
+    /// Say more: the plan with its reasons, every note.
     #[arg(short, long)]
     pub(crate) verbose: bool,
     /// No progress bars.

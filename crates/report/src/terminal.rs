@@ -1,10 +1,10 @@
-//! The first screen: the verdict, then the numbers, ten lines at most.
+//! The first screen: the verdict, then the numbers and the notes, eleven lines at most.
 
 use std::path::Path;
 
 use wearshape::{
     Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, SenseResult, Solution, Status,
-    TurnsResult, WearResult, functional_row,
+    Step, TurnsResult, WearResult, functional_row,
 };
 
 use crate::brake_line::{both_ways, brake_line};
@@ -21,8 +21,12 @@ const WIDTH: usize = 80;
 const INDENT: usize = 10;
 const PHRASE: usize = 45;
 
-/// The lines for the screen.
-pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
+/// Lines of numbers and notes, and notes among them, where not all notes are asked for.
+const LINES: usize = 8;
+const NOTES: usize = 2;
+
+/// The lines for the screen: two notes and how many more there are, or every note.
+pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path, every_note: bool) -> String {
     let mut lines = Vec::new();
     lines.extend(missed::lines(problem, solution));
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
@@ -50,13 +54,12 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
             false => format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"),
         });
     }
-    for lint in solution.remarks.iter().chain(problem.remarks()).take(2) {
-        lines.push(format!("note      {}", lint.message));
-    }
+    lines.truncate(LINES);
+    let room = if every_note { usize::MAX } else { NOTES.min(LINES - lines.len()) };
+    lines.extend(notes(problem, solution, room));
     if !problem.unused_keys().is_empty() {
         lines.push(format!("unused    {}", problem.unused_keys().join(", ")));
     }
-    lines.truncate(8);
     let mut rows = folded(&verdict(problem, solution), 0);
     let bracket = format!("[{}]", bracket(solution));
     match rows.last_mut().filter(|last| last.chars().count() + 3 + bracket.chars().count() <= WIDTH) {
@@ -66,6 +69,17 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     rows.extend(lines.iter().flat_map(|line| folded(line, INDENT)));
     rows.push(format!("files     {}", folder.display()));
     rows.join("\n") + "\n"
+}
+
+/// The first notes, and how many more there are.
+fn notes(problem: &Problem, solution: &Solution, room: usize) -> Vec<String> {
+    let messages: Vec<&str> = solution.remarks.iter().chain(problem.remarks()).map(|note| note.message.as_str()).collect();
+    let mut lines: Vec<String> = messages.iter().take(room).map(|message| format!("note      {message}")).collect();
+    let file = if problem.plan().runs(Step::Page) { "report.html" } else { "summary.json" };
+    if messages.len() > room {
+        lines.push(format!("notes     {} more in {file}", messages.len() - room));
+    }
+    lines
 }
 
 /// A line in pieces that are no wider than a terminal, cut between phrases where they are short enough, else between words; all but the first are

@@ -97,7 +97,7 @@ impl Finished<'_> {
         if common.json {
             print_json(&summary);
         } else if !common.quiet {
-            print_out(&report::first_screen(problem, solution, target));
+            print_out(&report::first_screen(problem, solution, target, common.verbose));
         }
         Ok(Exit::of(solution.status))
     }

@@ -110,6 +110,29 @@ fn a_missed_accuracy_says_what_was_found_and_what_would_reach_it() {
 }
 
 #[test]
+fn no_note_and_no_unused_key_is_left_out_without_a_word() {
+    let bench = Bench::new();
+    let lines = |text: &str, name: &str| text.lines().filter(|line| line.starts_with(name)).count();
+    let found = "--set tasks=[pressure,contact,shape] --set contact.roughness=1_um --set body1.wearable=4_mm";
+    for (options, code) in [(format!("{found} --set sliding.omega=3.5"), 0), ("--set sliding.omega=20".into(), 1)] {
+        let run = format!("run drum-brake-hot {options} --set optimum.q=2 -o x{code}");
+        let call = bench.call(&run);
+        assert_eq!(call.code, code, "{}{}", call.out, call.err);
+        let summary: serde_json::Value = serde_json::from_str(&bench.read(&format!("x{code}/summary.json"))).unwrap();
+        let notes = summary["lints"].as_array().unwrap().len();
+        assert!(notes > 2 && lines(&call.out, "note  ") == 2, "{}", call.out);
+        let more = format!("\nnotes     {} more in report.html\nunused    optimum.q\nfiles     x{code}\n", notes - 2);
+        assert!(call.out.ends_with(&more), "{}", call.out);
+        // Without the page they are in the summary, and all of them on the screen where that is asked for.
+        let call = bench.call(&format!("{run} --set output.report=false"));
+        assert!(call.out.contains(" more in summary.json\n"), "{}", call.out);
+        let call = bench.call(&format!("{run} -v"));
+        assert_eq!((lines(&call.out, "note  "), lines(&call.out, "notes ")), (notes, 0), "{}", call.out);
+        assert!(call.out.contains("\nunused    optimum.q\nfiles     x"), "{}", call.out);
+    }
+}
+
+#[test]
 fn without_a_terminal_nothing_is_drawn() {
     let bench = Bench::new();
     for args in ["run punch-wear --set accuracy=1e-4", "check lining-on-back", "run drum-brake-block --dry-run"] {
