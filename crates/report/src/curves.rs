@@ -8,6 +8,7 @@ use crate::heat_curves::{HeatCurves, heat_curves, warm};
 use crate::labels::shown_title;
 use crate::line_plot::{Axis, LinePlot, Series, Zone, cut};
 use crate::path_curves::path_plots;
+use crate::schedule_words::speed_changes;
 
 /// A plot with the name of its file and the named parts of its x axis.
 pub(crate) struct Picture {
@@ -26,7 +27,7 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<Picture>
     let mut plots = along_the_surface(problem, solution, points);
     plots.extend(warm(solution, points).into_iter().flat_map(|profile| heat_pictures(problem, solution, profile)));
     plots.extend(path_plots(title, &solution.paths).into_iter().map(|(file, plot)| Picture { file, plot, zones: Vec::new() }));
-    plots.extend(histories(title, &solution.history).into_iter().map(plain));
+    plots.extend(histories(title, &solution.history, !speed_changes(problem.scene())).into_iter().map(plain));
     plots.extend(groove(title, &solution.groove).map(plain));
     plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)).map(plain));
     plots
@@ -155,8 +156,8 @@ fn sticking(places: &[f64], profile: &Profile) -> Vec<Zone> {
     zones
 }
 
-/// A run in time: its pressures, the depth and the volume worn off.
-fn histories(title: &str, history: &[(String, Vec<f64>)]) -> Vec<(&'static str, LinePlot)> {
+/// A run in time: its pressures, the depth and the volume worn off; the speed is told where it is `one`.
+fn histories(title: &str, history: &[(String, Vec<f64>)], one: bool) -> Vec<(&'static str, LinePlot)> {
     let column = |name: &str| history.iter().find(|(known, _)| known == name).map(|(_, values)| values.as_slice());
     let Some(time) = column("time_s").filter(|time| time.len() > 1) else { return Vec::new() };
     let series = |name: &str, column: &[f64]| Series {
@@ -165,7 +166,8 @@ fn histories(title: &str, history: &[(String, Vec<f64>)]) -> Vec<(&'static str, 
         marks: true,
         dashed: false,
     };
-    let speed = column("distance_mm").and_then(|distance| Some(distance.last()? / time.last()?)).filter(|v| v.is_finite());
+    let speed = column("distance_mm").and_then(|distance| Some(distance.last()? / time.last()?));
+    let speed = speed.filter(|speed| one && speed.is_finite());
     let x_label = speed.map_or("time (s)".into(), |speed| format!("time (s); {} mm of sliding a second", brief(speed)));
     let plot = |what: &str, y_label: &str, axes: [Axis; 2], series: Vec<Series>| LinePlot {
         title: format!("{title}: {what}"),

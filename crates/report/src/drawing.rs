@@ -10,6 +10,7 @@ use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
 use crate::edge_places::along;
 use crate::heat_drawing::heated;
 use crate::labels::shown_title;
+use crate::schedule_words::turns_back;
 use crate::sheet::Sheet;
 use crate::support_drawing::{is_near, pin, roller};
 use crate::support_label::SupportLabel;
@@ -157,7 +158,7 @@ fn sliding(sheet: &mut Sheet, scene: &Scene, body: &BodyOutline) {
         ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
     });
     let centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
-    let both_ways = sliding.reversing.is_some() || sliding.cycle.is_some();
+    let both_ways = sliding.reversing.is_some() || sliding.cycle.is_some() || turns_back(scene);
     if sliding.speed.is_some() || sliding.cycle.is_some() {
         let [x, y] = sheet.at(centre);
         let half = 42.0 * sliding.speed.map_or(1.0, |speed| speed.0.signum());

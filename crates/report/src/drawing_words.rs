@@ -5,6 +5,7 @@ use wearshape::Problem;
 
 use crate::brief::brief;
 use crate::heat_drawing::heat_legend;
+use crate::schedule_words::by_schedule;
 use crate::sheet::Mark;
 
 /// Fills of body 1 and of body 2, one material after the other.
@@ -46,7 +47,7 @@ pub(crate) fn legend(problem: &Problem) -> Vec<(Mark, String)> {
     }
     rows.extend(supports().filter_map(guided_words).map(|text| (Mark::None, text)));
     let arrow = if plan { Mark::Into(LOADED) } else { Mark::Arrow(LOADED) };
-    rows.extend(scene.load.as_ref().map(|load| (arrow, load_words(load))));
+    rows.extend(scene.load.as_ref().map(|load| (arrow, load_words(scene, load))));
     rows.extend(sliding_words(scene).map(|text| (Mark::Arrow(SLIDES), text)));
     rows.extend(heat_legend(scene));
     rows.extend(plane_words(scene).map(|text| (Mark::None, text)));
@@ -83,9 +84,10 @@ fn elastic(material: &Material) -> String {
 }
 
 /// What presses, turns and shifts body 1.
-fn load_words(load: &Load) -> String {
+fn load_words(scene: &Scene, load: &Load) -> String {
     let mut words = Vec::new();
-    words.extend(load.force.map(|force| format!("{} N", brief(force.0))));
+    let by_schedule = |factors| by_schedule(scene, factors);
+    words.extend(load.force.map(|force| format!("{} N{}", brief(force.0), by_schedule(|schedule| schedule.force.as_ref()))));
     words.extend(load.approach.map(|approach| format!("pressed in by {} mm", brief(approach.0))));
     let edge = load.edge.as_deref().unwrap_or("");
     words.extend(load.kind.map(|kind| match kind {
@@ -104,7 +106,8 @@ fn load_words(load: &Load) -> String {
     let named = |name: &str, value: Option<f64>, unit: &str| {
         value.filter(|value| *value != 0.0).map(|value| format!("{name} {} {unit}", brief(value)))
     };
-    words.extend(named("moment", load.moment.map(|m| m.0), "N mm"));
+    let moment = named("moment", load.moment.map(|m| m.0), "N mm");
+    words.extend(moment.map(|moment| moment + &by_schedule(|schedule| schedule.moment.as_ref())));
     words.extend(named("moment about x", load.moment_y.map(|m| m.0), "N mm"));
     words.extend(named("then sideways", load.shear_force.map(|f| f.0), "N"));
     if load.twist.is_some() || load.torque.is_some() {
@@ -123,7 +126,7 @@ fn sliding_words(scene: &Scene) -> Option<String> {
         let speed = 2.0 * stroke * frequency;
         format!("body 2 slides {} mm to and fro at {} Hz, {} mm/s in the mean", brief(stroke), brief(frequency), brief(speed))
     });
-    let words = to_and_fro.or(by_speed).or(turning)?;
+    let words = to_and_fro.or(by_speed).or(turning)? + &by_schedule(scene, |schedule| schedule.speed.as_ref());
     Some(match (&sliding.reversing, &sliding.cycle) {
         (Some(reversing), None) => format!("{words}, and back, {} of the time forward", brief(reversing.share.unwrap_or(0.5))),
         _ => words,

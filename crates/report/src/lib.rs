@@ -35,6 +35,7 @@ mod pressure_words;
 mod reach;
 mod round_off;
 mod run_in;
+mod schedule_words;
 mod section_plot;
 mod shape_words;
 mod sheet;

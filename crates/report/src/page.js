@@ -3,7 +3,7 @@
 (function () {
   const NS = "http://www.w3.org/2000/svg";
   const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#888888"];
-  const W = 720, H = 400, R = 16, T = 14, B = 52;
+  const W = 720, H = 400, T = 14, B = 52;
   const { charts, run_in } = JSON.parse(document.getElementById("data").textContent);
 
   function make(name, attributes, parent, text) {
@@ -45,7 +45,7 @@
     const old = figure.querySelector("svg");
     const svg = make("svg", { viewBox: `0 0 ${W} ${H}`, role: "img", "aria-label": chart.title }, figure);
     if (old) old.remove();
-    let L = 76;
+    let L = 76, R = 16;
 
     // Width of the longest of some texts in a class of the page, the size of its letters, and the width of each.
     function measure(texts, name) {
@@ -97,7 +97,16 @@
       const label = value => show(Number(value.toPrecision(12)));
       const [widest, letter] = measure(rows.map(label), "axis");
       L = Math.max(76, widest + 12 + 1.7 * letter);
-      const px = x => L + (along(x) - along(view[0])) / (along(view[1]) - along(view[0])) * (W - L - R);
+      const decades = () => {
+        const [a, b] = [Math.ceil(Math.log10(view[0]) - 1e-9), Math.floor(Math.log10(view[1]) + 1e-9)];
+        const step = Math.max(1, Math.ceil((b - a) / 7));
+        return Array.from({ length: Math.max(0, Math.floor((b - a) / step) + 1) }, (_, i) => Math.pow(10, a + i * step));
+      };
+      const columns = chart.log_x ? decades() : ticks(view[0], view[1], 7), share = x => (along(x) - along(view[0])) / (along(view[1]) - along(view[0]));
+      // The last number along x stands within the picture.
+      const last = share(columns.at(-1)), [wide] = measure(columns.slice(-1).map(label), "axis");
+      R = Math.max(16, last > 0 ? W - L - (W - L - wide / 2) / last : 0);
+      const px = x => L + share(x) * (W - L - R);
       let top = T;
       const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - top - B);
       const note = chart.note && whole ? chart.note : "", seen_zones = (chart.zones || []).map(z => [Math.max(view[0], z.from), Math.min(view[1], z.to), z.name]).filter(([a, b]) => b > a);
@@ -109,12 +118,7 @@
         make("rect", { class: "zone", x: px(a), y: top, width: px(b) - px(a), height: H - top - B }, svg);
         make("text", { class: "axis", x: (px(a) + px(b)) / 2, y: H - B - 8, "text-anchor": "middle" }, svg, name);
       }
-      const decades = () => {
-        const [a, b] = [Math.ceil(Math.log10(view[0]) - 1e-9), Math.floor(Math.log10(view[1]) + 1e-9)];
-        const step = Math.max(1, Math.ceil((b - a) / 7));
-        return Array.from({ length: Math.max(0, Math.floor((b - a) / step) + 1) }, (_, i) => Math.pow(10, a + i * step));
-      };
-      for (const t of chart.log_x ? decades() : ticks(view[0], view[1], 7)) {
+      for (const t of columns) {
         make("path", { class: "grid", d: `M${px(t)} ${top}V${H - B}` }, svg);
         make("text", { class: "axis", x: px(t), y: H - B + 8 + 0.8 * letter, "text-anchor": "middle" }, svg, label(t));
       }

@@ -189,3 +189,24 @@ fn a_run_in_time_has_curves_over_time() {
     assert!(page.contains("href=\"history.csv\"") && page.contains("href=\"run.mcap\""));
     assert!(bench.call("report out/punch-wear").code == 0 && page == bench.read("out/punch-wear/report.html"));
 }
+
+#[test]
+fn a_report_under_a_schedule_tells_no_load_and_speed_as_if_they_held() {
+    let bench = Bench::new();
+    let run = "run punch-wear -q --set mesh.degree=4 --set mesh.layers=3 --set wear.until=40_s";
+    let told = |schedule: &str| {
+        let call = bench.call(&format!("{run} --set schedule={{time=[0,10,20],{schedule}}}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        let drawing = bench.read("out/punch-wear/plots/scene.svg");
+        // Of wrapped lines too.
+        let words: Vec<&str> = drawing.split('<').filter_map(|part| Some(part.split_once('>')?.1.trim())).collect();
+        let words = words.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+        let has = |start: &str| words.contains(&format!("{start} by the schedule"));
+        let axis = bench.read("out/punch-wear/plots/history-depth.svg").contains("mm of sliding a second");
+        (has("load: 1000 N times 0.5 to 1"), has("body 2 slides at 5 mm/s times 0.1 to 3"), axis)
+    };
+    assert_eq!(told("force=[1,.5,1],speed=[1,.1,3]"), (true, true, false));
+    assert_eq!(told("force=[1,.5,1]"), (true, false, true));
+    // The other way it slides as fast.
+    assert_eq!(told("speed=[1,-1,1]"), (false, false, true));
+}
