@@ -24,7 +24,10 @@ const CASES: [(&str, &[&str], [&str; 2]); 4] = [
     ("data/meshes/lining.toml", &["accuracy=1e-6"], ["1e-4", "1e-6"]),
 ];
 
-/// Uses the page: reads every chart, zooms and resets, drags the slider to its end.
+/// Widths of a window (pixels): a screen, and the narrowest that Chromium opens, where the page has the letters of a phone.
+const WIDTHS: [usize; 2] = [1280, 500];
+
+/// Uses the page: reads every chart, zooms and resets, drags the slider to its end; no word may stand beyond the picture that it is in.
 const USE: &str = r#"<script nonce="check">
 document.querySelectorAll("figure svg").forEach(svg => {
   if (!svg.onpointermove) return;
@@ -35,6 +38,15 @@ document.querySelectorAll("figure svg").forEach(svg => {
 });
 const slider = document.getElementById("step");
 if (slider) { slider.value = slider.max; slider.dispatchEvent(new Event("input")); }
+const beyond = [...document.querySelectorAll("figure svg")].flatMap(svg => {
+  const box = svg.getBoundingClientRect();
+  return [...svg.querySelectorAll("text")].filter(text => {
+    const at = text.getBoundingClientRect();
+    // A line of letters has some room about them.
+    return at.width > 0 && (at.left < box.left - 1 || at.right > box.right + 1);
+  });
+});
+document.body.dataset.beyond = beyond.map(text => text.textContent).join(", ");
 document.body.dataset.used = document.querySelectorAll("figure svg path").length > 10 ? "well" : "without charts";
 </script>"#;
 
@@ -129,7 +141,7 @@ struct Visit {
 }
 
 /// Opens a page in headless Chromium, with a log of all that goes to the network.
-fn visit(folder: &Path, page: &Path) -> Result<Visit, String> {
+fn visit(folder: &Path, page: &Path, width: usize) -> Result<Visit, String> {
     let log = folder.join("network.json");
     let _ = fs::remove_file(&log);
     let output = Command::new("timeout")
@@ -139,6 +151,7 @@ fn visit(folder: &Path, page: &Path) -> Result<Visit, String> {
         .arg("--host-resolver-rules=MAP * ~NOTFOUND")
         .arg(format!("--user-data-dir={}", folder.join("chromium").display()))
         .arg(format!("--log-net-log={}", log.display()))
+        .arg(format!("--window-size={width},900"))
         .arg(format!("file://{}", page.display()))
         .stdin(Stdio::null())
         .output()
@@ -164,14 +177,20 @@ fn page(folder: &Path, out: &Path) -> Result<(), String> {
     // The page lets no script run but its own, by hash; that of the check is let in by name beside it.
     let open = text.replacen("script-src '", "script-src 'nonce-check' '", 1);
     fs::write(&used, open + USE).map_err(|error| format!("{}: {error}", used.display()))?;
-    let visit = visit(folder, &used)?;
-    if !visit.document.contains("data-used=\"well\"") {
-        return Err("report.html: its charts are not drawn".into());
+    for width in WIDTHS {
+        let visit = visit(folder, &used, width)?;
+        if !visit.document.contains("data-used=\"well\"") {
+            return Err("report.html: its charts are not drawn".into());
+        }
+        let beyond = visit.document.split("data-beyond=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or("all");
+        if !beyond.is_empty() {
+            return Err(format!("report.html, {width} pixels wide: beyond their pictures stand {beyond}"));
+        }
+        if !visit.console.is_empty() || !visit.requests.is_empty() {
+            return Err(format!("report.html: console {:?}, requests {:?}", visit.console, visit.requests));
+        }
     }
-    if !visit.console.is_empty() || !visit.requests.is_empty() {
-        return Err(format!("report.html: console {:?}, requests {:?}", visit.console, visit.requests));
-    }
-    println!("  report.html in Chromium: drawn, used; 0 requests, 0 words on the console");
+    println!("  report.html in Chromium: drawn, used, on a screen and as on a phone; 0 requests, 0 words on the console");
     Ok(())
 }
 
@@ -179,7 +198,7 @@ fn page(folder: &Path, out: &Path) -> Result<(), String> {
 fn faults_are_seen(folder: &Path) -> Result<(), String> {
     let page = folder.join("faulty.html");
     fs::write(&page, FAULTY).map_err(|error| format!("{}: {error}", page.display()))?;
-    let visit = visit(folder, &page)?;
+    let visit = visit(folder, &page, WIDTHS[0])?;
     let error = visit.console.iter().any(|line| line.contains("missing is not defined"));
     let asked =
         ["http://localhost:9/x.png", "https://localhost:9/"].iter().all(|url| visit.requests.iter().any(|seen| seen == url));

@@ -3,7 +3,7 @@
 use scene::short;
 use wearshape::{CellField, CellGrid, FieldFrame};
 
-use crate::isobands::{Isobands, Placed};
+use crate::isobands::{BAR, Isobands, Placed, UNIT};
 use crate::section_plot::Section;
 use crate::touch::Touch;
 
@@ -46,13 +46,13 @@ pub(crate) fn field_picture(frame: &FieldFrame, touch: Option<&Touch<'_>>, title
     let bands = Isobands::of(&placed, PIECE);
     let outlines: String = placed.iter().map(|(grid, at)| outline(*grid, &at.iter().map(|s| s.0).collect::<Vec<_>>())).collect();
     let [right, top, bottom] = section.edges();
-    let bar = bands.bar([right + 16.0, top + 22.0], (bottom - top - 22.0).min(320.0));
+    let bar = bands.bar([right + 16.0, top + BAR], (bottom - top - BAR).min(320.0));
     let body = format!(
         "{}<path d=\"{outlines}\" fill=\"none\" stroke=\"#fff\" stroke-opacity=\"0.3\" stroke-width=\"0.6\"/>\n\
          <text x=\"{:.1}\" y=\"{:.1}\">MPa</text>\n{bar}",
         bands.svg(),
         right + 16.0,
-        top + 10.0
+        top + UNIT
     );
     let remark = format!("Displacements {} times. Colours span the middle 96 % of the area.", short(magnified));
     section.remarked(title, &remark, &body)
@@ -99,6 +99,29 @@ mod tests {
         let frame = FieldFrame { time: 0.0, moment: "", bodies: [body, BodyField::default()] };
         let picture = field_picture(&frame, None, "a < b");
         assert!(picture.contains("a &lt; b") && picture.contains("Displacements 1000 times"), "{picture}");
+    }
+
+    #[test]
+    fn the_unit_stands_clear_of_the_numbers_of_the_bar_on_a_phone() {
+        let cell = |value: f64| CellField {
+            grid: CellGrid { degree: 1, triangle: false },
+            position: vec![[value, 0.0], [value + 1.0, 0.0], [value, 5.0], [value + 1.0, 5.0]],
+            displacement: vec![[0.0; 3]; 4],
+            stress: vec![Stress { xx: value, ..Stress::default() }; 4],
+            ..CellField::default()
+        };
+        let body = BodyField { cells: vec![cell(1.0), cell(2.0)], ..BodyField::default() };
+        let frame = FieldFrame { time: 0.0, moment: "", bodies: [body, BodyField::default()] };
+        let picture = field_picture(&frame, None, "a");
+        // No number is not larger than another.
+        let after = |text: &str, start: &str, end: &str| {
+            let number = text.split(start).nth(1).and_then(|rest| rest.split(end).next()?.parse::<f64>().ok());
+            number.unwrap_or(f64::NAN)
+        };
+        let line = |words: &str| picture.lines().find(|line| line.ends_with(&format!(">{words}</text>"))).unwrap_or("");
+        let base = |words: &str| after(line(words), "y=\"", "\"");
+        let letters = after(include_str!("page.css"), ".field text { font-size: ", "px");
+        assert!(base("2.000") - base("MPa") > letters, "{picture}");
     }
 
     #[test]

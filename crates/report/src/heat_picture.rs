@@ -3,7 +3,7 @@
 use wearshape::{CellField, FieldFrame};
 
 use crate::field_picture::{LEGEND, PIECE, bounds, outline};
-use crate::isobands::{Isobands, Placed};
+use crate::isobands::{BAR, Isobands, Placed, UNIT};
 use crate::section_plot::Section;
 
 /// Draws the temperatures of a moment on the bodies as they are without load; none where there are none. A body that is not warmed is left grey.
@@ -38,13 +38,13 @@ pub(crate) fn heat_picture(frame: &FieldFrame, title: &str) -> Option<String> {
     };
     let outlines: String = cells().map(|cell| outline(cell.grid, &on_paper(cell))).collect();
     let [right, top, bottom] = section.edges();
-    let bar = bands.bar([right + 16.0, top + 22.0], (bottom - top - 22.0).min(320.0));
+    let bar = bands.bar([right + 16.0, top + BAR], (bottom - top - BAR).min(320.0));
     let body = format!(
         "{grey}{}<path d=\"{outlines}\" fill=\"none\" stroke=\"#fff\" stroke-opacity=\"0.3\" stroke-width=\"0.6\"/>\n\
          <text x=\"{:.1}\" y=\"{:.1}\">\u{b0}C</text>\n{bar}",
         bands.svg(),
         right + 16.0,
-        top + 10.0
+        top + UNIT
     );
     Some(section.remarked(title, "Bodies without their displacements.", &body))
 }

@@ -14,6 +14,10 @@ const BANDS: [&str; 12] = [
 /// Share of the area below and above which values are drawn in the outermost colours.
 const CLIP: f64 = 0.02;
 
+/// How far below the top of a drawing the unit of its bar is written, and the bar begins, in pixels: letters are larger on a phone.
+pub(crate) const UNIT: f64 = 2.0;
+pub(crate) const BAR: f64 = 22.0;
+
 /// A point on paper (pixels) with a value.
 pub(crate) type Sample = ([f64; 2], f64);
 

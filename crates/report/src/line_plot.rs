@@ -51,6 +51,8 @@ const TOP: f64 = 48.0;
 const BOTTOM: f64 = 62.0;
 /// Most letters in a line of the title.
 const TITLE: usize = 66;
+/// Width of a letter of the numbers at the axes.
+const LETTER: f64 = 8.3;
 /// Colour of named parts of the x axis.
 const ZONE: &str = "#e69f00";
 /// Colours that colour-blind readers tell apart (Okabe and Ito).
@@ -166,7 +168,7 @@ pub(crate) fn zoned_plot(plot: &LinePlot, zones: &[Zone]) -> String {
         (px, py)
     };
     let legend = Legend::new(&plot.series, &place);
-    let width = WIDTH + if legend.beside { legend.width + 12.0 } else { 0.0 };
+    let width = WIDTH + if legend.beside { legend.width + 12.0 } else { beyond(&x, plot.axes[0]) };
     let (mut out, end) = head(&plot.title, width);
     let (bottom, right) = (HEIGHT - BOTTOM, WIDTH - RIGHT);
     for zone in zones {
@@ -212,6 +214,13 @@ pub(crate) fn zoned_plot(plot: &LinePlot, zones: &[Zone]) -> String {
         out += &format!("<text x=\"{}\" y=\"{}\" font-size=\"12\" fill=\"#555\">{}</text>\n", LEFT + 8.0, TOP + 14.0, cut.note());
     }
     out + end
+}
+
+/// Room that the last number along x takes beyond the picture; exponents are short.
+fn beyond(x: &Scale, kind: Axis) -> f64 {
+    let last = x.ticks.iter().rev().find(|tick| inside(x.share(**tick)) && kind == Axis::Linear);
+    let end = |tick: &f64| LEFT + x.share(*tick) * (WIDTH - LEFT - RIGHT) + 0.5 * LETTER * x.label(*tick).chars().count() as f64;
+    last.map_or(0.0, |tick| (end(tick) - WIDTH).ceil().max(0.0))
 }
 
 /// The beginning of the picture with its title in as many lines as it takes, and its end.
@@ -347,10 +356,22 @@ impl Legend {
 
 #[cfg(test)]
 mod tests {
-    use super::{HEIGHT, Legend, Series, WIDTH};
+    use super::{Axis, HEIGHT, Legend, LinePlot, Series, WIDTH, line_plot};
 
     fn named(points: Vec<(f64, f64)>) -> Series {
         Series { name: "a name".into(), points, marks: true, dashed: false }
+    }
+
+    #[test]
+    fn a_long_number_at_the_end_of_the_axis_stands_within_the_picture() {
+        let until = |end: f64| {
+            let series = vec![Series { name: String::new(), ..named(vec![(0.0, 1.0), (end, 2.0)]) }];
+            let [x_label, y_label, title] = [""; 3].map(String::from);
+            line_plot(&LinePlot { title, x_label, y_label, axes: [Axis::Linear; 2], from_zero: true, series })
+        };
+        // Seven letters of which half stand beyond the end of the axis, 24 pixels before the end of the picture.
+        assert!(until(1e-9).contains(">1.00e\u{2212}9<") && until(1e-9).contains("width=\"726\""), "{}", until(1e-9));
+        assert!(until(100.0).contains("width=\"720\""), "{}", until(100.0));
     }
 
     #[test]

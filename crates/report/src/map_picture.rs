@@ -3,7 +3,7 @@
 use wearshape::{PressureMap, PressureResult};
 
 use crate::brief::brief;
-use crate::isobands::{Isobands, Placed};
+use crate::isobands::{BAR, Isobands, Placed, UNIT};
 use crate::section_plot::Section;
 
 /// Size of a piece that is cut at the colours, and room for the legend, in pixels.
@@ -35,8 +35,8 @@ pub(crate) fn map_picture(map: &PressureMap, pressure: &PressureResult, title: &
             brief(most)
         );
     }
-    body += &format!("<text x=\"{:.1}\" y=\"{:.1}\">MPa</text>\n", right + 16.0, top + 10.0);
-    body += &bands.bar([right + 16.0, top + 22.0], (bottom - top - 22.0).clamp(60.0, 320.0));
+    body += &format!("<text x=\"{:.1}\" y=\"{:.1}\">MPa</text>\n", right + 16.0, top + UNIT);
+    body += &bands.bar([right + 16.0, top + BAR], (bottom - top - BAR).clamp(60.0, 320.0));
     section.picture(title, ["x", "y"], &body)
 }
 

@@ -105,7 +105,7 @@
       const columns = chart.log_x ? decades() : ticks(view[0], view[1], 7), share = x => (along(x) - along(view[0])) / (along(view[1]) - along(view[0]));
       // The last number along x stands within the picture.
       const last = share(columns.at(-1)), [wide] = measure(columns.slice(-1).map(label), "axis");
-      R = Math.max(16, last > 0 ? W - L - (W - L - wide / 2) / last : 0);
+      R = Math.max(16, last > 0 ? W - L - (W - L - 2 - wide / 2) / last : 0);
       const px = x => L + share(x) * (W - L - R);
       let top = T;
       const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - top - B);
