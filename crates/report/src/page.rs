@@ -87,6 +87,10 @@ fn html(parts: &Parts<'_>) -> String {
     out + &end(&json!({ "charts": charts, "run_in": run_in }))
 }
 
+/// Before the files of a shape that is no answer.
+const REFUSED: &str = "<p class=\"note\">The shape is refused and must not be machined: there is no finished surface among the files, \
+                       and no tolerance. Its gap is drawn and listed to see why.</p>\n";
+
 /// The files of the folder, by relative links.
 fn links(parts: &Parts<'_>) -> String {
     let recorded = |stage: &&Value| stage["name"] == "run.mcap" && stage["ran"] == true;
@@ -94,7 +98,9 @@ fn links(parts: &Parts<'_>) -> String {
     let known = FILES.iter().filter(|(name, _)| parts.there.contains(name)).copied();
     let all = known.chain(recording.then_some(("run.mcap", "the recording, for Foxglove or Lichtblick")));
     let rows: String = all.map(|(name, words)| format!("<li><a href=\"{name}\">{name}</a> {words}</li>\n")).collect();
-    format!("<h2>Files</h2>\n<ul class=\"files\">\n{rows}</ul>\n")
+    let shape = !parts.summary["shape"].is_null() && !parts.there.contains(&"profile.csv");
+    let refused = if shape && parts.summary["status"] == "refused" { REFUSED } else { "" };
+    format!("<h2>Files</h2>\n{refused}<ul class=\"files\">\n{rows}</ul>\n")
 }
 
 /// A text of the summary.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use wearshape::{Problem, Solution};
+use wearshape::{Problem, Solution, Stage, Status};
 
 use crate::json::SCHEMA_VERSION;
 use crate::verdict::verdict;
@@ -19,8 +19,7 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Value {
     put("scene_sha256", json!(scene::sha256(problem.resolved())));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
-    let plan = problem.plan();
-    put("stages", if solution.without_pressure { value(&plan.without_pressure()) } else { value(&plan.stages) });
+    put("stages", value(&stages(problem, solution)));
     put("counters", value(&solution.effort.counters));
     put("unused_keys", json!(problem.unused_keys()));
     put("lints", json!(problem.remarks().iter().chain(&solution.remarks).collect::<Vec<_>>()));
@@ -41,6 +40,17 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Value {
     put("error", value(&solution.error));
     put("interface", value(&solution.interface));
     without_nulls(Value::Object(all))
+}
+
+/// What was done and left out, as far as the run came.
+fn stages(problem: &Problem, solution: &Solution) -> Vec<Stage> {
+    let plan = problem.plan();
+    let refused = solution.status == Status::Refused && solution.shape.is_some() && solution.machined.is_none();
+    match (solution.without_pressure, refused) {
+        (true, _) => plan.without_pressure(),
+        (false, true) => plan.with_refused_shape(),
+        (false, false) => plan.stages.clone(),
+    }
 }
 
 fn value(part: &impl Serialize) -> Value {

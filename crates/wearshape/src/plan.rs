@@ -30,11 +30,20 @@ impl Plan {
 
     /// The stages of a run that ended without a pressure: nothing that needs one was done.
     pub fn without_pressure(&self) -> Vec<Stage> {
+        let kept = |step: Step| matches!(step, Step::Force | Step::Pressure | Step::Plots | Step::Page);
+        self.ended(|step| !kept(step), "there is no pressure")
+    }
+
+    /// The stages of a run that ended with a shape that is no answer: it was neither proved nor worn, and there is nothing to machine.
+    pub fn with_refused_shape(&self) -> Vec<Stage> {
+        self.ended(|step| matches!(step, Step::RoundTrip | Step::Evolution | Step::Machined), "the shape is refused")
+    }
+
+    /// The stages, some of which were not come to.
+    fn ended(&self, left_out: impl Fn(Step) -> bool, because: &'static str) -> Vec<Stage> {
         let mut stages = self.stages.clone();
-        for stage in &mut stages {
-            if stage.ran && !matches!(stage.name, Step::Force | Step::Pressure | Step::Plots | Step::Page) {
-                (stage.ran, stage.because) = (false, "there is no pressure");
-            }
+        for stage in stages.iter_mut().filter(|stage| stage.ran && left_out(stage.name)) {
+            (stage.ran, stage.because) = (false, because);
         }
         stages
     }

@@ -68,6 +68,29 @@ fn without_a_shape_there_is_nothing_to_machine() {
 }
 
 #[test]
+fn a_shape_that_is_refused_is_offered_to_no_machine() {
+    let bench = Bench::new();
+    let run = "run drum-brake-hot -q --set mesh.degree=6 --set mesh.layers=5";
+    let machined = || {
+        ["profile.csv", "profile-spline.csv", "profile.dxf"]
+            .map(|name| bench.path(&format!("out/drum-brake-hot/{name}")).exists())
+    };
+    for (omega, code, to_machine) in [("20", 1, false), ("1", 0, true)] {
+        let call = bench.call(&format!("{run} --set sliding.omega={omega}"));
+        assert_eq!(call.code, code, "{}{}", call.out, call.err);
+        assert_eq!(machined(), [to_machine; 3], "{omega}");
+        let (summary, page) = (bench.summary("drum-brake-hot"), bench.read("out/drum-brake-hot/report.html"));
+        assert!(summary["shape"]["gap_max_um"].is_number() && bench.path("out/drum-brake-hot/contact.csv").exists());
+        assert_eq!(page.contains("must not be machined"), !to_machine, "{omega}");
+        assert_eq!(page.contains("profile.csv"), to_machine, "{omega}");
+        assert_eq!(page.contains("<h2>Tolerance</h2>"), to_machine, "{omega}");
+        let ran =
+            |name: &str| summary["stages"].as_array().unwrap().iter().any(|stage| stage["name"] == name && stage["ran"] == true);
+        assert_eq!(["machined profile", "round trip"].map(ran), [to_machine; 2], "{omega}");
+    }
+}
+
+#[test]
 fn the_surface_to_machine_is_as_long_as_the_contact_whatever_radius_body_1_is_drawn_with() {
     let bench = Bench::new();
     let name = "drum-brake-block";

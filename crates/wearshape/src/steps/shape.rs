@@ -202,17 +202,17 @@ impl<'a> Shaper<'a> {
             flat: solved.is_flat(stage.problem.measure()),
             ..ShapeResult::default()
         };
-        outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
-        let mut told = self.told(reduced, &pair, shape);
-        let mut effort = Effort::default();
+        let (mut told, mut effort) = (self.told(reduced, &pair, shape), Effort::default());
         let following = self.heated(solved, (&mut told, &mut effort), outcome)?;
+        // Beyond the critical speed no proof can succeed, and nobody is to machine the shape.
+        let lost = outcome.heat.as_ref().and_then(HeatResult::beyond_critical);
+        let machining = stage.options.machining && lost.is_none();
+        outcome.machined = machining.then(|| self.machined(&pair, shape));
         // Heat that is not there, as that of a run that was stopped, tells no tolerance.
-        if stage.options.machining && following.is_some() == solved.hot.is_some() {
+        if machining && following.is_some() == solved.hot.is_some() {
             let bodies = following.as_ref().map_or(reduced, |following| &following.reduced);
             result.tolerance = tolerance::of(self, bodies, following.as_ref())?;
         }
-        // Beyond the critical speed no proof can succeed.
-        let lost = outcome.heat.as_ref().and_then(HeatResult::beyond_critical);
         if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped && lost.is_none() {
             let start = stage.clock()();
             (stage.options.begun)(Step::RoundTrip);
