@@ -29,11 +29,16 @@ class Page {
     this.editor = new Editor(text => this.change(text));
     this.form = new Form(find("form"), this.known.materials, edits => this.edit(edits));
     this.solver = new Solver(module, answer => this.hear(answer));
-    this.files = new Files(kept => this.keep(kept), text => this.change(text));
+    this.files = new Files(kept => this.keep(kept), (name, text) => this.begin(this.opened(name, text)));
     this.choose();
     this.buttons();
     this.refill = downloads(() => this.solver.files(), () => ({ name: this.name, text: this.text }));
     addEventListener("hashchange", () => { if (location.hash !== this.hash) this.open(location.hash); });
+  }
+
+  /** Name of the scene: a built-in one, or the reader's own. */
+  get name() {
+    return this.scene.name;
   }
 
   builtin(name) {
@@ -44,30 +49,40 @@ class Page {
     const groups = KINDS.map(([kind, names]) => make("optgroup", { label: kind }, ...names.filter(name => this.builtin(name)).map(name => make("option", { value: name }, this.builtin(name).title))));
     const others = this.known.scenes.filter(({ name }) => !KINDS.some(([, names]) => names.includes(name)));
     find("scene").replaceChildren(...groups, ...others.map(({ name, title }) => make("option", { value: name }, title)));
-    find("scene").addEventListener("change", event => this.begin(event.target.value));
+    find("scene").addEventListener("change", ({ target }) => this.begin(this.builtin(target.value) ?? this.own));
+  }
+
+  /** A scene of the reader's own, as it comes; the last one can be chosen again. Its name may be that of a built-in one, so that it is no value to choose by. */
+  opened(name, text) {
+    this.own = { name, title: name, text };
+    this.option ??= make("option", { value: "" });
+    this.option.textContent = `${name} (your file)`;
+    find("scene").append(this.option);
+    return this.own;
   }
 
   buttons() {
     find("pin").addEventListener("click", () => this.pin(this.pinned ? null : this.answer));
-    find("reset").addEventListener("click", () => this.begin(this.name));
+    find("reset").addEventListener("click", () => this.begin(this.scene));
   }
 
   async open(hash) {
     const { name, text, damaged } = await link.read(hash);
-    const known = Boolean(this.builtin(name));
+    const known = this.builtin(name);
     this.hash = hash;
     const said = damaged ? "The text of the scene in the address is damaged; this is the scene as it comes. " : "";
-    this.begin(known ? name : FIRST, text, said || (name && !known && !text ? `There is no scene ${name}; this is another one. ` : ""));
+    const own = name && text && !known ? this.opened(name, text) : null;
+    this.begin(known ?? own ?? this.builtin(FIRST), text, said || (name && !known && !own ? `There is no scene ${name}; this is another one. ` : ""));
   }
 
   /** Begins with a scene, as it comes or with another text; what is `said` first stays in the line of the status until something changes. */
-  begin(name, text = null, said = "") {
-    Object.assign(this, { name, said });
-    find("scene").value = name;
+  begin(scene, text = null, said = "") {
+    Object.assign(this, { scene, said });
+    find("scene").value = scene === this.own ? "" : scene.name;
     this.charts.show([], true);
     this.play.show(null);
     this.editor.text = "";
-    this.change(text ?? this.builtin(name).text, true);
+    this.change(text ?? scene.text, true);
   }
 
   /** Values at other keys, from the form. */
@@ -86,7 +101,7 @@ class Page {
     this.editor.text = text;
     const { written, fault } = this.ask({ ask: "written", name: this.name, text });
     find("form").inert = Boolean(fault);
-    find("reset").disabled = text === this.builtin(this.name).text;
+    find("reset").disabled = text === this.scene.text;
     if (fault) {
       this.solver.forget();
       this.wrong(fault);
@@ -113,8 +128,8 @@ class Page {
   }
 
   async address() {
-    const own = this.builtin(this.name).text === this.text;
-    this.hash = await link.write(this.name, own ? null : this.text);
+    const known = this.scene !== this.own && this.scene.text === this.text;
+    this.hash = await link.write(this.name, known ? null : this.text);
     history.replaceState(null, "", this.hash);
   }
 
@@ -159,7 +174,7 @@ class Page {
   }
 
   whole(answer, took) {
-    this.answer = { ...answer, text: this.text, name: this.name, written: this.written };
+    this.answer = { ...answer, text: this.text, scene: this.scene, written: this.written };
     this.play.show(answer.running_in);
     results.tables(answer.tables);
     results.notes(answer.summary.lints ?? this.notes, this.unused, this.pages);
@@ -193,7 +208,7 @@ class Page {
   differences() {
     const before = new Map(this.pinned.written.map(({ key, text }) => [key, text]));
     const changed = this.written.filter(({ key, text }) => before.get(key) !== text).map(({ key, text }) => `${key} ${before.get(key) ?? "\u2013"} \u2192 ${text}`);
-    const other = this.pinned.name !== this.name ? [`another scene: ${this.builtin(this.pinned.name).title}`] : changed;
+    const other = this.pinned.scene !== this.scene ? [`another scene: ${this.pinned.scene.title}`] : changed;
     find("pinned").textContent = `Dashed grey: pinned. ${other.length ? `Since then ${other.slice(0, 6).join("; ")}` : "Nothing has changed since"}.`;
   }
 }

@@ -5,7 +5,7 @@ import { find, make } from "./dom.js";
 const STORE = "files";
 
 export class Files {
-  /** `changed(files)` gets all files, `[[name, letters]]`, one letter a byte, `opened(text)` a scene that was dropped. */
+  /** `changed(files)` gets all files, `[[name, letters]]`, one letter a byte, `opened(name, text)` a scene. */
   constructor(changed, opened) {
     Object.assign(this, { changed, opened, all: new Map(stored()) });
     const choice = find("choice");
@@ -24,7 +24,8 @@ export class Files {
 
   async take(list) {
     for (const file of [...list]) {
-      if (file.name.endsWith(".toml")) this.opened(await file.text());
+      const scene = file.name.match(/^(.+)\.toml$/i);
+      if (scene) this.opened(scene[1], await file.text());
       else this.all.set(file.name, lettered(new Uint8Array(await file.arrayBuffer())));
     }
     this.told();

@@ -15,8 +15,8 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect, sync_playwright
 
-from common import FOLDER, LONG, OUT, PROGRAM, again, download, settled, text
-from handed_out import address, damaged_address, downloads, older_answers
+from common import DROP, FOLDER, LONG, OUT, PROGRAM, again, download, settled, text
+from handed_out import address, damaged_address, downloads, older_answers, own_scene
 from tables import farthest
 from typed import listed_once, mistakes, no_numbers, together, units
 
@@ -135,14 +135,6 @@ def files_of_the_reader(page: Page) -> None:
     page.get_by_role("button", name="take profile.csv away").click()
     page.locator("#scene").select_option("drum-brake-block")
     settled(page)
-
-
-# A file dropped onto the page: name and text.
-DROP = """([name, text]) => {
-  const dataTransfer = new DataTransfer();
-  dataTransfer.items.add(new File([text], name));
-  document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-}"""
 
 
 def compare(page: Page) -> None:
@@ -267,7 +259,7 @@ def main() -> None:
         page = context.new_page()
         page.goto(base)
         settled(page)
-        for part in (numbers, same_elsewhere, again, files_of_the_reader, downloads, older_answers, mistakes, units, no_numbers, listed_once, together, compare, address, damaged_address, in_time, looks, by_keyboard, every_scene):
+        for part in (numbers, same_elsewhere, again, files_of_the_reader, downloads, own_scene, older_answers, mistakes, units, no_numbers, listed_once, together, compare, address, damaged_address, in_time, looks, by_keyboard, every_scene):
             print(part.__name__, flush=True)
             part(page)
         browser.close()

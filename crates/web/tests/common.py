@@ -7,6 +7,12 @@ from playwright.sync_api import Page, expect
 
 FOLDER, PROGRAM, OUT = (Path(word).resolve() for word in sys.argv[1:4])
 LONG = 60_000
+# A file dropped onto the page: name and text.
+DROP = """([name, text]) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([text], name));
+  document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+}"""
 
 
 def settled(page: Page) -> None:

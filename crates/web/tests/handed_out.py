@@ -7,7 +7,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
-from common import LONG, again, download, settled, text
+from common import DROP, LONG, again, download, settled, text
 
 
 def downloads(page: Page) -> None:
@@ -19,6 +19,50 @@ def downloads(page: Page) -> None:
     assert "<!doctype html>" in download(page, "report.html").lower()
     page.keyboard.press("Escape")
     expect(page.locator("#downloads")).not_to_have_attribute("open", "")
+
+
+def own_scene(page: Page) -> None:
+    """A scene that is dropped has the name of its file: to choose, in the address, in what is handed out; back to it goes Reset."""
+    dropped = text(page).replace('force = "10 kN"', 'force = "9 kN"')
+    assert dropped != text(page)
+    page.evaluate(DROP, ["my-shoe.TOML", dropped])
+    expect(page.locator("#scene option:checked")).to_have_text("my-shoe (your file)")
+    expect(page.locator("#kept")).to_be_empty()
+    settled(page)
+    assert text(page) == dropped
+    assert json.loads(download(page, "summary.json"))["scene"] == "my-shoe"
+    with page.expect_download() as waited:
+        page.locator("#files button").get_by_text("report.html", exact=True).click()
+    assert waited.value.suggested_filename == "my-shoe-report.html"
+    assert download(page, "my-shoe.toml") == dropped
+    page.keyboard.press("Escape")
+    expect(page.locator("#reset")).to_be_disabled()
+    page.locator("#text").fill(dropped.replace("9 kN", "8 kN"))
+    settled(page)
+    page.locator("#reset").click()
+    settled(page)
+    assert text(page) == dropped
+    expect(page).to_have_url(re.compile("scene=my-shoe&toml="))
+    other = page.context.new_page()
+    other.goto(page.url)
+    settled(other)
+    expect(other.locator("#scene option:checked")).to_have_text("my-shoe (your file)")
+    assert text(other) == dropped
+    other.close()
+    again(page)
+    assert text(page) != dropped
+    page.locator("#scene").select_option("")
+    settled(page)
+    assert text(page) == dropped
+    # A name of ours is that of the file all the same.
+    page.evaluate(DROP, ["annular-punch.toml", dropped])
+    settled(page)
+    page.locator("#text").fill(dropped.replace("9 kN", "8 kN"))
+    settled(page)
+    page.locator("#reset").click()
+    settled(page)
+    assert text(page) == dropped
+    again(page)
 
 
 # Another scene, and the menu opened at once: the names of its files then.
