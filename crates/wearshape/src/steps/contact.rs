@@ -69,13 +69,15 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     if let Some((Diagnosis { level, .. }, profile)) = diagnosis.zip(outcome.told.as_ref().map(|told| &told.profile)) {
         let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
         let closed = [is_closed(profile.status.first()), is_closed(profile.status.last())];
-        let note = sharp_edges::note(stage, level.layers, closed)?;
+        let edges = sharp_edges::edges(stage, closed)?;
+        let note = sharp_edges::note(stage, level.layers, &edges);
         // The largest value at a point says nothing about an infinite pressure.
         if let Some(contact) = outcome.contact.as_mut().filter(|_| note.is_some()) {
             (contact.p_max, contact.q_max) = (None, None);
         }
         let told = outcome.contact.as_ref().is_some_and(|contact| contact.p_max.is_some());
-        let unbounded = if told && stage.problem.load.shear_force == 0.0 { sharp_edges::unbounded(stage, closed)? } else { None };
+        // Where it sticks, another exponent stands at the edge.
+        let unbounded = sharp_edges::unbounded(&edges).filter(|_| told && stage.problem.load.shear_force == 0.0);
         outcome.remarks.extend(note.into_iter().chain(unbounded));
         all_around::refuse_full(stage, &mut outcome);
     }

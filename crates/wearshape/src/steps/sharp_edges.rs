@@ -15,20 +15,20 @@ use crate::stage::Stage;
 const MOST: usize = 16;
 
 /// A note on edges in contact that dig in, or whose innermost layer (of `layers`, or the usual most) still carries more than the accuracy asks
-/// for: the energy there goes like its size to the power `2 lambda`. `closed` tells whether the first and the last point of the surface are in contact.
-pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
+/// for: the energy there goes like its size to the power `2 lambda`.
+pub(crate) fn note(stage: Stage<'_>, layers: usize, edges: &[Edge]) -> Option<Remark> {
     let friction = stage.friction();
     if friction == 0.0 {
-        return Ok(None);
+        return None;
     }
     let mut said = Vec::new();
-    for Edge { x, kind, .. } in edges(stage, closed)?.into_iter().filter(|edge| edge.drag != 0.0) {
+    for Edge { x, kind, .. } in edges.iter().filter(|edge| edge.drag != 0.0) {
         match kind {
             SlidingEdge::DigsIn => said.push(format!(
                 "at x = {x:.6} mm friction {friction} is beyond what any pressure with a finite force allows: the sharp edge digs in"
             )),
             SlidingEdge::Singular { lambda } => {
-                let rest = RATIO.powf(lambda * layers.max(MOST) as f64);
+                let rest = RATIO.powf(*lambda * layers.max(MOST) as f64);
                 if rest * rest > stage.accuracy() {
                     said.push(format!(
                         "at x = {x:.6} mm the pressure grows like d^({:.3}): {:.1e} of what the edge carries is within the smallest element",
@@ -42,39 +42,40 @@ pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result
     }
     let message =
         format!("{}. Layers do not resolve that: round the edge off, or take less friction.", capital(&said.join("; ")));
-    Ok((!said.is_empty()).then_some(Remark { code: "edge-unresolved", message }))
+    (!said.is_empty()).then_some(Remark { code: "edge-unresolved", message })
 }
 
 /// Exponents of a pressure below which it is taken for bounded: it is at most 2 % larger at a billionth of the distance.
 const BOUNDED: f64 = 1e-3;
 
 /// A note on edges in contact at which the pressure has no largest value although its layers show none of that: it grows too slowly.
-pub(crate) fn unbounded(stage: Stage<'_>, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
+pub(crate) fn unbounded(edges: &[Edge]) -> Option<Remark> {
     let slowly = |edge: &Edge| match edge.kind {
         SlidingEdge::Singular { lambda } if 1.0 - lambda > BOUNDED => {
             Some(format!("d^({:.3}) towards x = {:.6} mm", lambda - 1.0, edge.x))
         }
         SlidingEdge::Singular { .. } | SlidingEdge::Bounded | SlidingEdge::DigsIn => None,
     };
-    let grows: Vec<String> = edges(stage, closed)?.iter().filter_map(slowly).collect();
+    let grows: Vec<String> = edges.iter().filter_map(slowly).collect();
     let message = format!(
         "The pressure has no largest value: it grows like {}, with the distance d. p_max_MPa is that of the last point, and larger on finer layers; a round \
          edge has one.",
         grows.join(" and like ")
     );
-    Ok((!grows.is_empty()).then_some(Remark { code: "edge-unbounded", message }))
+    (!grows.is_empty()).then_some(Remark { code: "edge-unbounded", message })
 }
 
 /// A sharp edge at an end of the surface.
-struct Edge {
+pub(crate) struct Edge {
+    /// Its place along x (mm).
     x: f64,
     /// Sense of the drag there along growing x.
     drag: f64,
     kind: SlidingEdge,
 }
 
-/// The edges at those ends of the surface that are in contact; none on the axis of revolution, or of bodies that face each other.
-fn edges(stage: Stage<'_>, closed: [bool; 2]) -> Result<Vec<Edge>, Fault> {
+/// The edges at those ends of the surface, the first and the last, that are in contact (`closed`); none on the axis of revolution, or of bodies that face each other.
+pub(crate) fn edges(stage: Stage<'_>, closed: [bool; 2]) -> Result<Vec<Edge>, Fault> {
     if stage.facing() || closed == [false; 2] {
         return Ok(Vec::new());
     }
